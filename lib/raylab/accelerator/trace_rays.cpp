@@ -36,7 +36,7 @@ TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> ra
     Scene scene;
     scene.objects.push_back({.shape = std::move(mesh)});
     TraceResult result{.accelerator = chosen_accelerator(options.accelerator, scene, static_cast<double>(rays.size())),
-                       .threads = options.threads > 0 ? options.threads : core_count()};
+                       .threads = thread_count(options.threads)};
     const auto build_start = Clock::now();
     const auto accelerator = make_accelerator(result.accelerator, scene, {.threads = result.threads});
     result.build_seconds = seconds_since(build_start);

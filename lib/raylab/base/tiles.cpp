@@ -39,6 +39,8 @@ void send_elsewhere(std::jthread& thread) {
 
 int core_count() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
+int thread_count(int asked) { return asked > 0 ? asked : core_count(); }
+
 void for_each_piece(std::size_t count, std::size_t grain, int threads,
                     const std::function<void(std::size_t, std::size_t)>& work) {
     const std::size_t pieces = (count + grain - 1) / grain;
@@ -56,7 +58,7 @@ void for_each_piece(std::size_t count, std::size_t grain, int threads,
             }
         }
     };
-    const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : core_count());
+    const auto wanted = static_cast<std::size_t>(thread_count(threads));
     {
         std::vector<std::jthread> others;
         try {

@@ -13,6 +13,9 @@ struct Tile {
 /// The number of threads that "all cores" means on this machine (at least 1).
 int core_count();
 
+/// The number of threads that an option asks for: as many as it says, or for 0 all cores.
+int thread_count(int asked);
+
 /// Calls work(tile) once for every tile of a width x height picture, from `threads` threads (0: all cores). Tiles are
 /// handed out from one counter, so which thread computes a tile varies: its result must depend on its pixels alone. The
 /// first exception that any tile throws is thrown here, after all threads have stopped. `label` names the progress bar;

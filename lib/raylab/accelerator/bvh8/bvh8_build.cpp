@@ -169,9 +169,7 @@ class Builder {
 
 public:
     Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
-        : triangles_(triangles),
-          threads_(options.threads > 0 ? options.threads : core_count()),
-          references_(triangles, others, options) {
+        : triangles_(triangles), threads_(thread_count(options.threads)), references_(triangles, others, options) {
         // The boxes hold all corners, and what is farther than a box may be is far, too.
         tree_.enclose(box_of(references_.corners()), box_of(references_.all().box));
         tree_.triangle_count = triangles.size();
