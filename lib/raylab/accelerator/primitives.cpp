@@ -19,6 +19,16 @@ std::vector<std::uint32_t> first_places(const Scene& scene) {
     return first;
 }
 
+std::vector<Primitive> primitives_of(const Scene& scene) {
+    std::vector<Primitive> names;
+    names.reserve(primitive_count(scene));
+    for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
+        const std::size_t parts = part_count(scene.objects[number].shape);
+        for (std::uint32_t part = 0; part < parts; ++part) names.push_back({number, part});
+    }
+    return names;
+}
+
 std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time) {
     const Object& object = scene.objects[primitive.object];
     const Motion* motion = motion_of(scene, object);
@@ -43,51 +53,46 @@ std::vector<std::optional<Box>> bounds_of(const Scene& scene, std::span<const Pr
     return found;
 }
 
-Primitives::Primitives(const Scene& scene) : scene_(&scene) {
-    items_.reserve(primitive_count(scene));
-    for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
-        const std::size_t parts = part_count(scene.objects[number].shape);
-        for (std::uint32_t part = 0; part < parts; ++part) add(item({number, part}));
-    }
-}
+Primitives::Primitives(const Scene& scene) : Primitives(scene, primitives_of(scene)) {}
 
 Primitives::Primitives(const Scene& scene, std::span<const Primitive> some) : scene_(&scene) {
+    std::vector<Prepared> places(scene.objects.size(), none);
     items_.reserve(some.size());
-    for (const Primitive& primitive : some) add(item(primitive));
+    for (const Primitive& primitive : some) {
+        const Object& object = scene.objects[primitive.object];
+        add(item(primitive), places[primitive.object],
+            [&] { return PreparedShape(object.shape, object.placement, motion_of(scene, object)); });
+    }
 }
 
 Primitives::Primitives(const Primitives& all, std::span<const std::uint32_t> order) : scene_(all.scene_) {
-    constexpr auto none = std::numeric_limits<Prepared>::max();
-    std::vector<Prepared> copies(all.prepared_.size(), none);
+    std::vector<Prepared> places(scene_->objects.size(), none);
     items_.reserve(order.size());
     for (const std::uint32_t i : order) {
-        add(all.items_[i]);
-        auto* prepared = std::get_if<Prepared>(&items_.back().shape);
-        if (!prepared) continue;
-        Prepared& copy = copies[*prepared];
-        if (copy == none) {
-            copy = static_cast<Prepared>(prepared_.size());
-            prepared_.push_back(all.prepared_[*prepared]);
-        }
-        *prepared = copy;
+        const Item& item = all.items_[i];
+        add(item, places[item.primitive.object], [&] { return all.prepared_[std::get<Prepared>(item.shape)]; });
     }
 }
 
-void Primitives::add(const Item& item) {
+// Adds a primitive. One that is kept prepared shares what its object's first one has made, and where that lies.
+template <class Prepare>
+void Primitives::add(Item item, Prepared& place, const Prepare& prepare) {
+    if (auto* prepared = std::get_if<Prepared>(&item.shape)) {
+        if (place == none) {
+            place = static_cast<Prepared>(prepared_.size());
+            prepared_.push_back(prepare());
+        }
+        *prepared = place;
+    }
     items_.push_back(item);
     if (const auto* rows = std::get_if<TriangleRows>(&item.shape))
         triangles_ = unite(triangles_, raylab::bounds(rows->triangle()));
 }
 
-Primitives::Prepared Primitives::prepared(const Object& object) {
-    const bool is_last = !prepared_.empty() && &prepared_.back().shape() == &object.shape;
-    if (!is_last) prepared_.emplace_back(object.shape, object.placement, motion_of(*scene_, object));
-    return static_cast<Prepared>(prepared_.size() - 1);
-}
-
-Primitives::Item Primitives::item(Primitive primitive) {
+// As it lies here, but for the place of what is kept prepared.
+Primitives::Item Primitives::item(Primitive primitive) const {
     const Object& object = scene_->objects[primitive.object];
-    Item item{.shape = Prepared{},
+    Item item{.shape = none,
               .primitive = primitive,
               .sides = object.sides,
               .surface = is_flat(object.shape) ? Item::Surface::flat : Item::Surface::curved};
@@ -97,8 +102,6 @@ Primitives::Item Primitives::item(Primitive primitive) {
         item.shape = TriangleRows(*triangle);
     } else if (const auto* sphere = std::get_if<Sphere>(&object.shape); in_place && sphere) {
         item.shape = *sphere;
-    } else {
-        item.shape = prepared(object);
     }
     return item;
 }
@@ -121,7 +124,7 @@ std::optional<Sphere> Primitives::whole_sphere(std::size_t i) const {
 }
 
 Hull Primitives::hull(std::size_t i) const {
-    const Target t = target(items_[i].primitive);
+    const Target t = target(i);
     const auto triangle = triangle_of(*t.shape, t.part);
     if (t.motion && !only_translates(*t.motion)) return corners_at_both_ends(i);
     const Hull at_rest = triangle ? raylab::hull(*triangle, *t.placement) : raylab::hull(*t.shape, *t.placement);
@@ -138,13 +141,6 @@ Hull Primitives::corners_at_both_ends(std::size_t i) const {
     const Hull more = raylab::hull(*last);
     both.insert(both.end(), more.begin(), more.end());
     return both;
-}
-
-std::vector<Primitive> Primitives::primitives() const {
-    std::vector<Primitive> names;
-    names.reserve(size());
-    for (const Item& item : items_) names.push_back(item.primitive);
-    return names;
 }
 
 std::vector<std::uint32_t> Primitives::places() const {

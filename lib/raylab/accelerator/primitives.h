@@ -21,6 +21,14 @@ namespace raylab {
 /// The place of each object's first primitive, meshes taken apart into triangles, in scene order.
 std::vector<std::uint32_t> first_places(const Scene& scene);
 
+/// A scene's primitives, meshes taken apart into triangles, in scene order.
+std::vector<Primitive> primitives_of(const Scene& scene);
+
+inline Target target_of(const Scene& scene, Primitive primitive) {
+    const Object& object = scene.objects[primitive.object];
+    return {&object.shape, primitive.part, &object.placement, object.sides, motion_of(scene, object)};
+}
+
 /// The box about a primitive, of one that moves where it stands at a time of the rays; absent: unbounded.
 std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time);
 
@@ -36,8 +44,8 @@ std::vector<std::optional<Box>> bounds_of(const Scene& scene, std::span<const Pr
 /// prepared: the former are most of what is tested.
 class Primitives {
 public:
-    explicit Primitives(const Scene& scene);  // in scene order
-    Primitives(const Scene& scene, std::span<const Primitive> some);
+    explicit Primitives(const Scene& scene);                          // in scene order
+    Primitives(const Scene& scene, std::span<const Primitive> some);  // in their order
     Primitives(const Primitives& all, std::span<const std::uint32_t> order);
 
     std::size_t size() const { return items_.size(); }
@@ -47,9 +55,8 @@ public:
     }
     Hull hull(std::size_t i) const;  // over all times of the rays; empty: unbounded
     Interval<float> times() const { return ray_times(*scene_); }
-    Target target(std::size_t i) const { return target(items_[i].primitive); }
+    Target target(std::size_t i) const { return target_of(*scene_, items_[i].primitive); }
     Primitive primitive(std::size_t i) const { return items_[i].primitive; }
-    std::vector<Primitive> primitives() const;
     std::optional<Triangle> triangle(std::size_t i) const;  // absent: something else, or not at rest where it was made
     std::optional<Sphere> whole_sphere(
         std::size_t i) const;  // absent: something else, placed, moving, or seen from one side only
@@ -68,7 +75,7 @@ public:
         DecisionCounts decisions;
         const Primitive primitive = items_[i].primitive;
         if (const auto found = intersection(items_[i], ray, decisions))
-            nearest.offer(*found, target(primitive), primitive, decisions);
+            nearest.offer(*found, target_of(*scene_, primitive), primitive, decisions);
         traversal.exact_decisions += decisions.exact;
     }
 
@@ -112,6 +119,7 @@ public:
 
 private:
     using Prepared = std::uint32_t;  // index into prepared_, the same for all triangles of a mesh
+    static constexpr auto none = static_cast<Prepared>(-1);
     struct Item {
         std::variant<TriangleRows, Sphere, Prepared> shape;
         Primitive primitive;
@@ -158,13 +166,9 @@ private:
     }
 
     Hull corners_at_both_ends(std::size_t i) const;
-    void add(const Item& item);
-    Item item(Primitive primitive);
-    Prepared prepared(const Object& object);
-    Target target(Primitive primitive) const {
-        const Object& object = scene_->objects[primitive.object];
-        return {&object.shape, primitive.part, &object.placement, object.sides, motion_of(*scene_, object)};
-    }
+    Item item(Primitive primitive) const;
+    template <class Prepare>
+    void add(Item item, Prepared& place, const Prepare& prepare);
     static bool is_left_by(const Item& item, const Ray& ray) {
         return item.primitive == ray.leaving && item.surface == Item::Surface::flat;
     }

@@ -2,13 +2,13 @@
 
 namespace raylab {
 
-SortedPrimitives::SortedPrimitives(const Scene& scene, int threads) : all(scene) {
-    const auto found = bounds_of(scene, all.primitives(), threads);
+SortedPrimitives::SortedPrimitives(const Scene& scene) : all(scene) {
     bounded.reserve(all.size());
     boxes.reserve(all.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) {
-        (found[i] ? bounded : unbounded).push_back(i);
-        if (found[i]) boxes.push_back(*found[i]);
+        const auto box = all.bounds(i);
+        (box ? bounded : unbounded).push_back(i);
+        if (box) boxes.push_back(*box);
     }
 }
 

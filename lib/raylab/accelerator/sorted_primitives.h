@@ -15,14 +15,12 @@ struct SortedPrimitives {
     std::vector<std::uint32_t> bounded, unbounded;  // places in `all`, ascending
     std::vector<Box> boxes;                         // of the bounded ones, in their order
 
-    /// By several threads (0: all cores).
-    explicit SortedPrimitives(const Scene& scene, int threads = 1);
+    explicit SortedPrimitives(const Scene& scene);
 
     /// The one that a box is about. Absent: something else, or not at rest where it was made.
     std::optional<Triangle> triangle(std::uint32_t box) const { return all.triangle(bounded[box]); }
 
-    /// The bounded primitives in an order of indices into `boxes` (each as often as it is named there), followed by the
-    /// unbounded ones.
+    /// The bounded primitives in an order of indices into `boxes`, each as often as it is named there.
     Primitives in_order(std::vector<std::uint32_t> order) const;
     Primitives without_bounds() const { return Primitives(all, unbounded); }
 };

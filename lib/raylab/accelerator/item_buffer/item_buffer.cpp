@@ -1,17 +1,20 @@
 #include "raylab/accelerator/item_buffer/item_buffer.h"
 
-#include "raylab/accelerator/sorted_primitives.h"
 #include "raylab/base/tiles.h"
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <numeric>
 #include <span>
+#include <tuple>
 
 namespace raylab {
 
 namespace {
+
+// Threads share the picture by strips of so many rows: few enough that what is counted of a strip stays in a core's
+// cache.
+constexpr std::size_t strip_height = 64;
 
 std::size_t pixels_of(const PictureView& view) {
     return static_cast<std::size_t>(view.size().width) * static_cast<std::size_t>(view.size().height);
@@ -22,69 +25,100 @@ std::size_t pixels_of(const PictureView& view) {
 // The result of drawing the primitives.
 struct ItemBuffer::Drawn {
     struct Item {
-        double begins;
-        std::uint32_t box, first_row, rows;
-        int top, bottom;  // of its rows, and before which they end
+        float begins;
+        std::uint32_t place;            // of the primitive in scene order
+        std::uint32_t first_row, rows;  // of its piece's
+        int top, bottom;                // of its rows, and before which they end
     };
 
     // What is drawn of some primitives: of each its rows, from top to bottom.
     struct Piece {
         std::vector<PictureRow> rows;
         std::vector<Item> items;
-        std::vector<std::uint32_t> always;  // places in scene order
+        std::vector<Primitive> always;
+        std::vector<std::uint32_t> in_strips;  // how many items the pixels of each strip get
 
         // Draws a primitive, and returns through how many pixels it may be seen.
-        std::size_t draw(const SortedPrimitives& sorted, const PictureView& view, std::uint32_t box) {
-            const std::uint32_t place = sorted.bounded[box];
-            const PictureRows found(view, picture_hull(view, sorted.all.target(place), sorted.boxes[box]));
-            if (found.everywhere()) {
-                always.push_back(place);
+        std::size_t draw(const Scene& scene, Primitive primitive, const PictureView& view, std::uint32_t place) {
+            const auto box = bounds_of(scene, primitive);
+            const auto found =
+                box ? std::optional(PictureRows(view, picture_hull(view, target_of(scene, primitive), *box)))
+                    : std::nullopt;
+            if (!found || found->everywhere()) {
+                always.push_back(primitive);
                 return 0;
             }
             const std::size_t before = rows.size();
             std::size_t pixels = 0;
-            found.for_each([&](const PictureRow& row) {
+            found->for_each([&](const PictureRow& row) {
                 rows.push_back(row);
-                pixels += static_cast<std::size_t>(row.last - row.first) + 1;
+                const std::uint32_t count = static_cast<std::uint32_t>(row.last - row.first) + 1;
+                in_strips[static_cast<std::size_t>(row.row) / strip_height] += count;
+                pixels += count;
             });
-            const auto count = static_cast<std::uint32_t>(rows.size() - before);
+            const std::size_t count = rows.size() - before;
             if (count > 0)
-                items.push_back({found.begins(), box, static_cast<std::uint32_t>(before), count, rows[before].row,
-                                 rows.back().row + 1});
+                items.push_back({rounded_down(found->begins()), place, static_cast<std::uint32_t>(before),
+                                 static_cast<std::uint32_t>(count), rows[before].row, rows.back().row + 1});
             return pixels;
+        }
+
+        static float rounded_down(double begins) {
+            constexpr double largest = std::numeric_limits<float>::max();
+            return cast<float>(std::min(begins * PictureView::below, largest));
         }
     };
 
     static constexpr std::size_t grain = 256;                                     // primitives a piece
     static constexpr auto max_items = std::numeric_limits<std::uint32_t>::max();  // of all pixels
 
+    std::vector<Primitive> primitives;
     std::vector<Piece> pieces;
     std::vector<Item> items;  // the nearest first
-    std::vector<std::uint32_t> always;
+    std::vector<Primitive> always;
     bool too_many = false;
 
-    Drawn(const SortedPrimitives& sorted, const PictureView& view, int threads) : always(sorted.unbounded) {
-        pieces.resize((sorted.boxes.size() + grain - 1) / grain);
+    Drawn(const Scene& scene, const PictureView& view, int threads) : primitives(primitives_of(scene)) {
+        pieces.resize((primitives.size() + grain - 1) / grain);
         const std::size_t most = std::min(max_per_pixel * pixels_of(view), std::size_t{max_items});
         std::atomic<std::size_t> drawn = 0;
-        for_each_piece(sorted.boxes.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t box = begin; box < end && drawn <= most; ++box)
-                drawn += pieces[begin / grain].draw(sorted, view, static_cast<std::uint32_t>(box));
+        for_each_piece(primitives.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+            Piece& piece = pieces[begin / grain];
+            piece.in_strips.resize(strips_of(view));
+            for (std::size_t place = begin; place < end && drawn <= most; ++place)
+                drawn += piece.draw(scene, primitives[place], view, static_cast<std::uint32_t>(place));
         });
         too_many = drawn > most;
         if (too_many) return;
+        std::size_t count = 0;
+        for (const Piece& one : pieces) count += one.items.size();
+        items.reserve(count);
         for (const Piece& one : pieces) {
             items.insert(items.end(), one.items.begin(), one.items.end());
             always.insert(always.end(), one.always.begin(), one.always.end());
         }
-        std::ranges::stable_sort(items, {}, &Item::begins);
-        std::ranges::sort(always);
+        std::ranges::sort(items, {}, [](const Item& item) { return std::tuple(item.begins, item.place); });
     }
 
-    std::vector<std::uint32_t> order() const {
-        std::vector<std::uint32_t> boxes;
-        for (const Item& item : items) boxes.push_back(item.box);
-        return boxes;
+    static std::size_t strips_of(const PictureView& view) {
+        return (static_cast<std::size_t>(view.size().height) + strip_height - 1) / strip_height;
+    }
+
+    std::vector<Primitive> seen() const {
+        std::vector<Primitive> names;
+        names.reserve(items.size());
+        for (const Item& item : items) names.push_back(primitives[item.place]);
+        return names;
+    }
+
+    // How many items the pixels above each strip get, and in the end those of all.
+    std::vector<std::uint32_t> items_above(std::size_t strips) const {
+        std::vector<std::uint32_t> above(strips + 1);
+        for (std::size_t i = 0; i < strips; ++i) {
+            above[i + 1] = above[i];
+            for (const Piece& one : pieces) above[i + 1] += one.in_strips[i];
+        }
+        return above;
     }
 
     // Calls at(number of the item, its row) for what is drawn in the picture's rows from top to before bottom, the
@@ -94,7 +128,7 @@ struct ItemBuffer::Drawn {
         for (auto i = static_cast<std::uint32_t>(items.size()); i-- > 0;) {
             const Item& item = items[i];
             if (item.top >= bottom || item.bottom <= top) continue;
-            const std::span own = std::span(pieces[item.box / grain].rows).subspan(item.first_row, item.rows);
+            const std::span own = std::span(pieces[item.place / grain].rows).subspan(item.first_row, item.rows);
             auto row = std::ranges::lower_bound(own, top, {}, &PictureRow::row);
             for (; row != own.end() && row->row < bottom; ++row) at(i, *row);
         }
@@ -103,51 +137,36 @@ struct ItemBuffer::Drawn {
 
 ItemBuffer::ItemBuffer(const Scene& scene, const CameraFrame& frame, const Accelerator& others,
                        const BuildOptions& build)
-    : ItemBuffer(SortedPrimitives(scene, build.threads), frame, others, build.threads) {}
+    : ItemBuffer(scene, PictureView(frame), others, Drawn(scene, PictureView(frame), build.threads), build.threads) {}
 
-ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others, int threads)
-    : ItemBuffer(sorted, PictureView(frame), others, Drawn(sorted, PictureView(frame), threads), threads) {}
-
-ItemBuffer::ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others,
-                       const Drawn& drawn, int threads)
-    : view_(view),
-      others_(others),
-      always_(sorted.all, drawn.too_many ? std::vector<std::uint32_t>{} : drawn.always),
-      seen_(sorted.in_order(drawn.too_many ? std::vector<std::uint32_t>{} : drawn.order())) {
+ItemBuffer::ItemBuffer(const Scene& scene, const PictureView& view, const Accelerator& others, const Drawn& drawn,
+                       int threads)
+    : view_(view), others_(others), always_(scene, drawn.always), seen_(scene, drawn.seen()) {
     if (!drawn.too_many) keep(drawn, threads);
 }
 
-// Threads share the picture by strips of rows: few enough that what is counted of a strip stays in a core's cache.
 void ItemBuffer::keep(const Drawn& drawn, int threads) {
-    for (const Drawn::Item& item : drawn.items) {
-        constexpr double largest = std::numeric_limits<float>::max();
-        begins_.push_back(cast<float>(std::min(item.begins * PictureView::below, largest)));
-    }
-    constexpr std::size_t rows = 64;
-    const auto height = static_cast<std::size_t>(view_.size().height);
+    begins_.reserve(drawn.items.size());
+    for (const Drawn::Item& item : drawn.items) begins_.push_back(item.begins);
+    const auto above = drawn.items_above(Drawn::strips_of(view_));
     first_.resize(pixels_of(view_) + 1);
-    std::vector<std::uint32_t> before((height + rows - 1) / rows + 1);  // how many items the strips before it have
-    for_each_piece(height, rows, threads, [&](std::size_t top, std::size_t bottom) {
-        before[top / rows] = count(drawn, static_cast<int>(top), static_cast<int>(bottom));
-    });
-    std::exclusive_scan(before.begin(), before.end(), before.begin(), std::uint32_t{0});
-    first_.back() = before.back();
-    items_.resize(before.back());
-    for_each_piece(height, rows, threads, [&](std::size_t top, std::size_t bottom) {
-        put(drawn, static_cast<int>(top), static_cast<int>(bottom), before[top / rows]);
-    });
+    first_.back() = above.back();
+    items_.resize(above.back());
+    for_each_piece(static_cast<std::size_t>(view_.size().height), strip_height, threads,
+                   [&](std::size_t top, std::size_t bottom) {
+                       count(drawn, static_cast<int>(top), static_cast<int>(bottom), above[top / strip_height]);
+                       put(drawn, static_cast<int>(top), static_cast<int>(bottom));
+                   });
 }
 
-// Lets the pixels of a strip have the places where their items end, counted from the strip's first, and returns how
-// many there are.
-std::uint32_t ItemBuffer::count(const Drawn& drawn, int top, int bottom) {
+// Lets the pixels of a strip have the places where their items end; `sum` are above them.
+void ItemBuffer::count(const Drawn& drawn, int top, int bottom, std::uint32_t sum) {
     for (int row = top; row < bottom; ++row) std::ranges::fill(pixels(whole(row)), Place(0));
     // First how many more items each pixel has than the one to its left.
     drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
         ++first_[view_.number(row.first, row.row)].value;
         if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)].value;
     });
-    std::uint32_t sum = 0;
     for (int row = top; row < bottom; ++row) {
         std::uint32_t own = 0;
         for (Place& pixel : pixels(whole(row))) {
@@ -156,14 +175,11 @@ std::uint32_t ItemBuffer::count(const Drawn& drawn, int top, int bottom) {
             pixel.value = sum;
         }
     }
-    return sum;
 }
 
-// Puts a strip's items, before which there are so many. Each takes the last place that its pixels have left, so that
-// the nearest is first, and the places where items end become those where they begin.
-void ItemBuffer::put(const Drawn& drawn, int top, int bottom, std::uint32_t before) {
-    for (int row = top; row < bottom; ++row)
-        for (Place& end : pixels(whole(row))) end.value += before;
+// Puts a strip's items. Each takes the last place that its pixels have left, so that the nearest is first, and the
+// places where items end become those where they begin.
+void ItemBuffer::put(const Drawn& drawn, int top, int bottom) {
     drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
         for (Place& end : pixels(row)) items_[--end.value] = i;
     });

@@ -12,8 +12,6 @@
 
 namespace raylab {
 
-struct SortedPrimitives;
-
 /// First-hit speed-up: what may be seen through each pixel of a picture, the nearest first, found by drawing the
 /// primitives instead of tracing rays (Weghorst, Hooper and Greenberg, Improved Computational Methods for Ray Tracing,
 /// ACM TOG 3(1), 1984). They kept the one item that was nearest, by the z-buffer's rounded numbers; here every item is
@@ -46,13 +44,11 @@ private:
     };
 
     struct Drawn;
-    ItemBuffer(const SortedPrimitives& sorted, const CameraFrame& frame, const Accelerator& others, int threads);
-    ItemBuffer(const SortedPrimitives& sorted, const PictureView& view, const Accelerator& others, const Drawn& drawn,
-               int threads);
+    ItemBuffer(const Scene& scene, const PictureView& view, const Accelerator& others, const Drawn& drawn, int threads);
 
     void keep(const Drawn& drawn, int threads);
-    std::uint32_t count(const Drawn& drawn, int top, int bottom);
-    void put(const Drawn& drawn, int top, int bottom, std::uint32_t before);
+    void count(const Drawn& drawn, int top, int bottom, std::uint32_t sum);
+    void put(const Drawn& drawn, int top, int bottom);
     PictureRow whole(int row) const;
     std::span<Place> pixels(const PictureRow& row);  // of `first_`
 
