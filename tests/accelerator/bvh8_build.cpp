@@ -119,6 +119,15 @@ BuildInput eight_clusters(Draw& draw) {
     return input;
 }
 
+// The root splits the large half alone, again and again; the small one is flat, at 0 of either sign.
+BuildInput small_and_large_half(Draw& draw) {
+    BuildInput input{soup(draw, 2'000, 0.01f), {}};
+    for (Triangle& one : input.triangles)
+        for (Vec3f* corner : {&one.a, &one.b, &one.c}) corner->x = draw.one_in(2) ? -0.0f : 0.0f;
+    for (const Triangle& one : soup(draw, 15'000, 9, Vec3f(30, 0, 0))) input.triangles.push_back(one);
+    return input;
+}
+
 }  // namespace
 
 TEST_CASE("bvh8 is the same tree to the bit, however many threads build it", "[threads]") {
@@ -137,6 +146,15 @@ TEST_CASE("bvh8 is the same tree to the bit, however many threads build it", "[t
                 CHECK(same_tree(built(threads), alone));
             }
         }
+}
+
+TEST_CASE("bvh8 is the same tree where threads split a part too soon", "[threads]") {
+    Draw draw(6);
+    for (int i = 0; i < 10; ++i) {
+        const auto [triangles, others] = small_and_large_half(draw);
+        CHECK(same_tree(build_bvh8_nodes(triangles, others, {.threads = 2}),
+                        build_bvh8_nodes(triangles, others, {.threads = 1})));
+    }
 }
 
 TEST_CASE("every point of a triangle that bvh8 splits is in a leaf that has the triangle, and in all boxes above it") {

@@ -3,7 +3,7 @@
 #include "raylab/accelerator/bvh8/bvh8_any_order.h"
 #include "raylab/accelerator/bvh8/bvh8_collapse.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf_writer.h"
-#include "raylab/accelerator/bvh8/bvh8_split.h"
+#include "raylab/accelerator/bvh8/bvh8_root_splits.h"
 #include "raylab/base/error.h"
 #include "raylab/base/tiles.h"
 
@@ -23,7 +23,7 @@ namespace {
 using namespace bvh8_parts;
 
 // Parts of no more references are grown by one thread each.
-constexpr std::size_t subtree_size = 2 * References::piece_size;
+constexpr std::size_t subtree_size = References::piece_size / 2;
 
 // A part that becomes a tree of its own, and whose child that is.
 struct Subtree {
@@ -43,13 +43,14 @@ public:
     // Grows the top of a tree level by level, and returns the parts below it that are small enough, in the order of
     // their references.
     std::vector<Subtree> grow_top(const Parts& parts_of_root, int threads) {
-        std::vector<Subtree> small, level = append_node(divided(parts_of_root, 1, threads), 1);
+        RootSplits splits(references_, parts_of_root, threads);
+        std::vector<Subtree> small, level = append_node(divided(parts_of_root, 1, threads, splits), 1);
         while (!level.empty()) {
             const auto large =
                 std::ranges::partition(level, [](const Subtree& one) { return one.part.size() <= subtree_size; });
             small.insert(small.end(), level.begin(), large.begin());
             level.erase(level.begin(), large.begin());
-            level = append_nodes(level, threads);
+            level = append_nodes(level, threads, splits);
         }
         std::ranges::sort(small, {}, [](const Subtree& one) { return one.part.begin; });
         return small;
@@ -63,11 +64,11 @@ public:
 private:
     // Appends the nodes of a level, and returns the parts of the next. Many parts are divided by one thread each, few
     // by all threads, one after the other.
-    std::vector<Subtree> append_nodes(const std::vector<Subtree>& level, int threads) {
+    std::vector<Subtree> append_nodes(const std::vector<Subtree>& level, int threads, RootSplits& splits) {
         const bool many = level.size() >= 2 * static_cast<std::size_t>(threads);
         std::vector<Parts> parts(level.size());
         for_each_piece(level.size(), 1, many ? threads : 1, [&](std::size_t i, std::size_t) {
-            parts[i] = divided({level[i].part}, level[i].depth, many ? 1 : threads);
+            parts[i] = divided({level[i].part}, level[i].depth, many ? 1 : threads, splits);
         });
         std::vector<Subtree> next;
         for (std::size_t i = 0; i < level.size(); ++i) {
@@ -128,14 +129,14 @@ private:
     }
 
     // Splits the largest part that is not a leaf until there are eight parts, or only leaves.
-    Parts divided(Parts parts, int depth, int threads) {
+    Parts divided(Parts parts, int depth, int threads, RootSplits& splits) {
         while (parts.size() < bvh8_width) {
             ReferenceRange* largest = nullptr;
             for (ReferenceRange& part : parts)
                 if (!references_.fit_in_leaf(part) && (!largest || part.box.half_area() > largest->box.half_area()))
                     largest = &part;
             if (!largest) break;
-            const auto [left, right] = references_.split(*largest, depth, threads);
+            const auto [left, right] = splits.split(*largest, depth, threads);
             *largest = left;
             parts.push_back(right);
         }

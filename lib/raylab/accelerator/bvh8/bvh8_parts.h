@@ -67,8 +67,9 @@ private:
     // The bits of 2^-31, to which the number (below 2^27) is added: the number alone would be a subnormal float, and
     // computing with it would be slow.
     static constexpr std::uint32_t normal = 0x30000000;
+    // (With 0 added, -0 is 0: the smallest of both depends on their order.)
     static FourFloats within_reach(FourFloats x) {
-        return larger(smaller(x, FourFloats{} + beyond), FourFloats{} - beyond);
+        return larger(smaller(x, FourFloats{} + beyond), FourFloats{} - beyond) + FourFloats{};
     }
 
     FourFloats min_, max_;

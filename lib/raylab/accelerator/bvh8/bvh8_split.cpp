@@ -250,17 +250,21 @@ References::Sides References::split_by_plane(const ReferenceRange& part, const P
 template <class SideOf>
 References::SortedPiece References::sort_piece(std::size_t begin, std::size_t end, const SideOf& side_of) {
     SortedPiece piece;
-    std::size_t i = begin, last = end;
-    while (i < last) {
-        Reference one = all_[i];
-        if (side_of(one, piece.cut_off) == Side::left) {
+    const auto is_left = [&](Reference& one) {
+        const bool found = side_of(one, piece.cut_off) == Side::left;
+        if (found)
             piece.left.add(one);
-            all_[i++] = one;
-        } else {
+        else
             piece.right.add(one);
-            all_[i] = all_[--last];
-            all_[last] = one;
-        }
+        return found;
+    };
+    std::size_t i = begin;
+    for (std::size_t last = end; i < last; ++i) {
+        if (is_left(all_[i])) continue;
+        do --last;
+        while (last > i && !is_left(all_[last]));
+        if (last == i) break;
+        std::swap(all_[i], all_[last]);
     }
     piece.left.begin = begin;
     piece.left.end = piece.right.begin = i;

@@ -35,13 +35,13 @@ public:
     bool fit_in_leaf(const ReferenceRange& part) const;
 
     /// Sorts a part so that both sides together have the lowest expected cost. Beyond a certain depth it is simply
-    /// halved, so that the depth is bounded.
-    std::pair<ReferenceRange, ReferenceRange> split(const ReferenceRange& part, int depth, int threads);
+    /// halved, so that the depth is bounded. To split it again moves no reference, where none was cut.
+    using Sides = std::pair<ReferenceRange, ReferenceRange>;
+    Sides split(const ReferenceRange& part, int depth, int threads);
 
     static constexpr std::size_t piece_size = std::size_t{1} << 14;
 
 private:
-    using Sides = std::pair<ReferenceRange, ReferenceRange>;
     enum class Side { left, right };
     struct SortedPiece;
 
