@@ -7,13 +7,6 @@
 
 namespace raylab {
 
-namespace {
-
-// The size on x86-64 and most others; elsewhere there is no gain.
-constexpr std::size_t large_page = std::size_t{1} << 21;
-
-}  // namespace
-
 void* allocate_on_large_pages(std::size_t bytes, std::size_t alignment) {
     // As many as are at least half used. The rest lies on small pages, each of which has to be asked for by a fault.
     const std::size_t large = (bytes + large_page / 2) / large_page * large_page;

@@ -6,6 +6,9 @@
 
 namespace raylab {
 
+/// The size of a large page on x86-64 and most others; elsewhere there is no gain.
+inline constexpr std::size_t large_page = std::size_t{1} << 21;
+
 /// Allocates memory with this alignment; for half a large page and more it asks the system for large pages. Throws
 /// bad_alloc.
 void* allocate_on_large_pages(std::size_t bytes, std::size_t alignment);

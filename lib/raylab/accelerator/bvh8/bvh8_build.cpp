@@ -217,7 +217,7 @@ private:
     // given no memory for pages that nothing has touched.
     template <class T>
     static void give_back_rest(LargeVector<T>& some) {
-        if (some.capacity() * sizeof(T) < std::size_t{1} << 21) some.shrink_to_fit();
+        if (some.capacity() * sizeof(T) < large_page) some.shrink_to_fit();
     }
 
     // A grown subtree, and where in the tree it lies.
