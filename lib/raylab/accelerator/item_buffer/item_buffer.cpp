@@ -20,6 +20,10 @@ std::size_t pixels_of(const PictureView& view) {
     return static_cast<std::size_t>(view.size().width) * static_cast<std::size_t>(view.size().height);
 }
 
+std::size_t strips_of(const PictureView& view) {
+    return (static_cast<std::size_t>(view.size().height) + strip_height - 1) / strip_height;
+}
+
 }  // namespace
 
 // The result of drawing the primitives.
@@ -40,17 +44,19 @@ struct ItemBuffer::Drawn {
 
         // Draws a primitive, and returns through how many pixels it may be seen.
         std::size_t draw(const Scene& scene, Primitive primitive, const PictureView& view, std::uint32_t place) {
-            const auto box = bounds_of(scene, primitive);
-            const auto found =
-                box ? std::optional(PictureRows(view, picture_hull(view, target_of(scene, primitive), *box)))
-                    : std::nullopt;
-            if (!found || found->everywhere()) {
-                always.push_back(primitive);
-                return 0;
+            if (const auto box = bounds_of(scene, primitive)) {
+                const PictureRows found(view, picture_hull(view, target_of(scene, primitive), *box));
+                if (!found.everywhere()) return add(found, place);
             }
+            always.push_back(primitive);
+            return 0;
+        }
+
+    private:
+        std::size_t add(const PictureRows& found, std::uint32_t place) {
             const std::size_t before = rows.size();
             std::size_t pixels = 0;
-            found->for_each([&](const PictureRow& row) {
+            found.for_each([&](const PictureRow& row) {
                 rows.push_back(row);
                 const std::uint32_t count = static_cast<std::uint32_t>(row.last - row.first) + 1;
                 in_strips[static_cast<std::size_t>(row.row) / strip_height] += count;
@@ -58,7 +64,7 @@ struct ItemBuffer::Drawn {
             });
             const std::size_t count = rows.size() - before;
             if (count > 0)
-                items.push_back({rounded_down(found->begins()), place, static_cast<std::uint32_t>(before),
+                items.push_back({rounded_down(found.begins()), place, static_cast<std::uint32_t>(before),
                                  static_cast<std::uint32_t>(count), rows[before].row, rows.back().row + 1});
             return pixels;
         }
@@ -98,10 +104,6 @@ struct ItemBuffer::Drawn {
             always.insert(always.end(), one.always.begin(), one.always.end());
         }
         std::ranges::sort(items, {}, [](const Item& item) { return std::tuple(item.begins, item.place); });
-    }
-
-    static std::size_t strips_of(const PictureView& view) {
-        return (static_cast<std::size_t>(view.size().height) + strip_height - 1) / strip_height;
     }
 
     std::vector<Primitive> seen() const {
@@ -148,7 +150,7 @@ ItemBuffer::ItemBuffer(const Scene& scene, const PictureView& view, const Accele
 void ItemBuffer::keep(const Drawn& drawn, int threads) {
     begins_.reserve(drawn.items.size());
     for (const Drawn::Item& item : drawn.items) begins_.push_back(item.begins);
-    const auto above = drawn.items_above(Drawn::strips_of(view_));
+    const auto above = drawn.items_above(strips_of(view_));
     first_.resize(pixels_of(view_) + 1);
     first_.back() = above.back();
     items_.resize(above.back());
