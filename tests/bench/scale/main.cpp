@@ -1,8 +1,9 @@
 // bench_scale FOLDER [LEVELS] [THREADS]: bumpy spheres from 5120 triangles on, four times as many each time (levels 4
 // to LEVELS, 10 unless said otherwise: 20 971 520), are written to FOLDER as PLY. Processes of their own read each, and
 // build bvh8, or Embree's tree, over it: bytes a triangle, mesh and all, at the end and at the peak, and nanoseconds of
-// a ray beside a + b log2 n.
+// a ray beside a + b log2 n, and beside a read of memory that waits for the one before it.
 
+#include "chain_of_reads.h"
 #include "embree_ray.h"
 #include "embree_triangles.h"
 
@@ -198,6 +199,10 @@ int main(int count, char** words) {
             std::fflush(stdout);
         }
     }
+    fmt::print("ns of a read that waits for the one before it, at random places of as many bytes as bvh8 takes:");
+    for (const Measured& of : all[ours])
+        fmt::print(" {:.0f}", bench::nanoseconds_of_a_read(of.at_the_end - of.peak_of_reading));
+    fmt::print("\n");
     for (const auto& [whose, measured] : all)
         for (std::size_t kind = 0; kind < names.size(); ++kind) {
             std::vector<double> x, y;
