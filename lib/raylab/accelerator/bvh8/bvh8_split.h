@@ -34,9 +34,10 @@ public:
     /// Whether a part is one primitive, or so few triangles that they are tested at once; of walls those in one box.
     bool fit_in_leaf(const ReferenceRange& part) const;
 
+    using Sides = std::pair<ReferenceRange, ReferenceRange>;
+
     /// Sorts a part so that both sides together have the lowest expected cost. Beyond a certain depth it is simply
     /// halved, so that the depth is bounded. To split it again moves no reference, where none was cut.
-    using Sides = std::pair<ReferenceRange, ReferenceRange>;
     Sides split(const ReferenceRange& part, int depth, int threads);
 
     static constexpr std::size_t piece_size = std::size_t{1} << 14;

@@ -1,3 +1,4 @@
+#include "raylab/accelerator/primitives.h"
 #include "raylab/experiment/structure/structure_difference.h"
 #include "raylab/geometry/shape_parts.h"
 
@@ -11,15 +12,6 @@
 namespace raylab {
 
 namespace {
-
-std::vector<Primitive> primitives_of(const Scene& scene) {
-    std::vector<Primitive> all;
-    for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
-        const std::size_t parts = part_count(scene.objects[number].shape);
-        for (std::uint32_t part = 0; part < parts; ++part) all.push_back({number, part});
-    }
-    return all;
-}
 
 std::shared_ptr<const Mesh> with_faces(const Mesh& mesh, const std::vector<Primitive>& kept, std::uint32_t object) {
     auto part = std::make_shared<Mesh>();
