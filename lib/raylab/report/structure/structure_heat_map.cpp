@@ -38,28 +38,31 @@ private:
     std::array<Pixel, 512> colors_;
 };
 
-constexpr double letter = 9;  // the height of a capital, in pixels
-constexpr int bar_height = 12, min_width = 240;
+constexpr int min_width = 240, legend_height = 80;
+
+// By how much a legend is enlarged: a page shows a wide map reduced, and its legend is to be read there.
+int enlarged(const CostMap& map) { return std::max(1, map.width / 640); }
 
 // Draws the bar of colours with its numbers, the title and the notes on the map.
-void draw_legend(Image& image, int top_row, const HeatScale& scale, double top, const CostMap& map,
-                 const std::string& title) {
-    const double left = 10, right = image.width() - 10.0;
-    draw_text(image, {left, top_row + 18.0}, letter, title, ink::black);
-    const double bar = top_row + 28;
+void draw_legend(Image& image, const HeatScale& scale, double top, const CostMap& map, const std::string& title) {
+    const int unit = enlarged(map);
+    const double letter = 9.0 * unit;  // the height of a capital, in pixels
+    const double left = 10.0 * unit, right = image.width() - left;
+    const double bar = map.height + 28.0 * unit, below = bar + 12 * unit;
+    draw_text(image, {left, map.height + 18.0 * unit}, letter, title, ink::black);
     for (int x = static_cast<int>(left); x < static_cast<int>(right); ++x)
-        for (int y = 0; y < bar_height; ++y)
-            image.at(x, static_cast<int>(bar) + y) = scale.color(top * (x + 0.5 - left) / (right - left));
-    draw_rectangle(image, {left, bar}, {right, bar + bar_height}, 1, ink::grey);
+        for (int y = static_cast<int>(bar); y < static_cast<int>(below); ++y)
+            image.at(x, y) = scale.color(top * (x + 0.5 - left) / (right - left));
+    draw_rectangle(image, {left, bar}, {right, below}, unit, ink::grey);
     AxisScale axis = axis_for({0, top}, AxisKind::linear, 0);
     axis.ticks = marks_with_room(axis, right - left, 1.6 * letter);
     for (const Tick& tick : axis.ticks) {
         const double x = std::lerp(left, right, axis.share(tick.at));
-        draw_line(image, {x, bar + bar_height}, {x, bar + bar_height + 4}, 1, ink::black);
-        const auto anchor = tick.at == 0 ? Anchor::left : x > right - 12 ? Anchor::right : Anchor::center;
-        draw_text(image, {x, bar + bar_height + 16}, letter, tick.text, ink::black, anchor);
+        draw_line(image, {x, below}, {x, below + 4 * unit}, unit, ink::black);
+        const auto anchor = tick.at == 0 ? Anchor::left : x > right - 12 * unit ? Anchor::right : Anchor::center;
+        draw_text(image, {x, below + 16 * unit}, letter, tick.text, ink::black, anchor);
     }
-    draw_text(image, {left, bar + bar_height + 34}, letter,
+    draw_text(image, {left, below + 34 * unit}, letter,
               "mean " + number_text(map.mean()) + ", most " + number_text(map.largest()), ink::black);
 }
 
@@ -128,10 +131,10 @@ double common_top(const std::vector<CostMap>& maps, double share) {
 Image heat_map(const CostMap& map, const std::string& title, double top) {
     if (!(top > 0)) top = common_top({map});
     const HeatScale scale(top);
-    Image image(std::max(map.width, min_width), map.height + 80, ink::white);
+    Image image(std::max(map.width, min_width), map.height + legend_height * enlarged(map), ink::white);
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) image.at(x, y) = scale.color(map.at(x, y));
-    draw_legend(image, map.height, scale, top, map, title);
+    draw_legend(image, scale, top, map, title);
     return image;
 }
 
