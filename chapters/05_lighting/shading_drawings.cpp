@@ -19,16 +19,17 @@ PlanePoint leaning(double degrees) { return {std::sin(degrees * degree), std::co
 PlanePoint scaled(PlanePoint p, double by) { return {p.x * by, p.y * by}; }
 PlanePoint moved(PlanePoint p, PlanePoint by) { return {p.x + by.x, p.y + by.y}; }
 
-// A patch of surface with the light that arrives, and the directions that it takes from there.
+// A plate of glass or of other matter with the light that arrives, and the directions that it takes from there.
 void matter(PlaneSketch& sketch, double x, const std::string& name, const std::vector<double>& directions,
             const char* color) {
-    const PlanePoint here{x, 0};
+    const double inside = std::asin(std::sin(40 * degree) / 1.5);  // Snell's law, chapter 07
+    const PlanePoint here{x, 0}, behind{x + 0.5 * std::tan(inside), -0.5};
     sketch.rectangle({x - 1.1, -0.5}, {x + 1.1, 0}, filled(pale_grey));
     sketch.line({x - 1.1, 0}, {x + 1.1, 0}, stroke(black, 2));
     sketch.arrow(moved(here, scaled(leaning(-40), 1.5)), here, stroke(orange, 3.5));
     for (const double direction : directions) {
         const bool through = std::abs(direction) > 90;
-        const PlanePoint from = through ? PlanePoint{x, -0.5} : here;
+        const PlanePoint from = through ? behind : here;
         sketch.arrow(from, moved(from, scaled(leaning(direction), directions.size() > 1 ? 0.75 : 1.1)),
                      stroke(color, directions.size() > 1 ? 2 : 3));
         if (through) sketch.line(here, from, stroke(color, 2));
@@ -71,7 +72,7 @@ PlaneDrawing draw_light_meets_matter() {
     PlaneSketch sketch;
     matter(sketch, 0, "mirrored", {40}, blue);
     matter(sketch, 2.5, "diffuse", {-70, -45, -15, 15, 45, 70}, blue);
-    matter(sketch, 5, "transmitted", {154}, green);
+    matter(sketch, 5, "transmitted", {140}, green);
     matter(sketch, 7.5, "translucent", {110, 135, 165, -165, -135, -110}, green);
     matter(sketch, 10, "absorbed", {}, black);
     sketch.text({10, -0.35}, "heat", vermilion, Anchor::center);

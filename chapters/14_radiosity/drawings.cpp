@@ -65,13 +65,13 @@ PlaneDrawing draw_contour() {
     for (const PlanePoint& corner : polygon) sketch.line(eye, corner, stroke(grey, 1.3, dashed));
     sketch.polygon({eye, polygon[0], polygon[1]}, {.line = blue, .fill = pale_blue, .width = 2});
     sketch.arrow(eye, {0, 2.4}, stroke(black));
-    sketch.arrow({2.6, 2.0}, {3.5, 0.95}, stroke(green));
+    sketch.arrow({2.6, 2.0}, {1.7, 3.05}, stroke(green));
     sketch.add(Arc{eye, 1.5, degrees(eye, polygon[1]), degrees(eye, polygon[0]), stroke(blue)});
     sketch.dot(eye, 6, black);
     sketch.words(eye, "*P*", centred(black, {-14, 20}));
     sketch.words({0, 2.4}, "**n**", centred(black, {-16, 4}));
     sketch.words(along(eye, 41, 1.5), "*β*_{k}", centred(blue, {22, -10}));
-    sketch.words({3.5, 0.95}, "**g**_{k}", centred(green, {16, 14}));
+    sketch.words({1.7, 3.05}, "**g**_{k}", centred(green, {-14, -6}));
     sketch.words({4.3, 4.0}, "patch *j*", centred(vermilion, {0, 0}));
     sketch.words({3.9, 2.6}, "edge *k*", centred(blue, {6, 20}));
     sketch.words({-1.2, -0.4}, "patch *i*", centred(grey, {0, 0}));
