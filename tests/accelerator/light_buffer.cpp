@@ -119,6 +119,25 @@ TEST_CASE("rectangles miss nothing either, and list more") {
     CHECK(tight.bytes() < loose.bytes());
 }
 
+TEST_CASE("triangles without area, or with an area that roundings lose, cover no cell in any listing") {
+    Tally tally;
+    for (const Listing listing : {Listing::conservative, Listing::rectangles}) {
+        for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+            Draw draw(seed);
+            const auto whole = [&](int most) {
+                return Vec3f(draw.integer(-most, most), draw.integer(-most, most), draw.integer(-most, most));
+            };
+            const Vec3f middle = whole(3), aside = whole(1);
+            Triangle flat{middle, middle + aside, middle - aside};
+            if (draw.one_in(2)) flat.c.x = std::nextafter(flat.c.x, 9.0f);
+            const Trial trial(draw, scene_of({flat}), 5, {.resolution = draw.one_in(2) ? 16 : 64, .listing = listing});
+            INFO("seed " << seed);
+            CHECK(compare(draw, trial, 50, tally) == "");
+        }
+    }
+    CHECK(tally.known > 10'000);
+}
+
 TEST_CASE("a light buffer made of cells' centres misses what is smaller than a cell") {
     Draw draw(1);
     const Scene scene = scene_of(soup(draw, 100, 2));

@@ -80,7 +80,9 @@ void Silhouette::find_halves() {
 }
 
 // The shape's cone is what is inside the planes through its edges, where each of them has all corners on one side. What
-// strays by the blur must still be inside, and an edge's plane is known only as well as its two corners are.
+// strays by the blur must still be inside, and an edge's plane is known only as well as its two corners are. Which side
+// of it is inside tells a corner that surely is not in the plane: a triangle without area, or whose area is lost in
+// roundings, has none, and covers nothing.
 void Silhouette::find_cover() {
     if (!(nearest_ > 2 * hull_.blur)) return;
     for (const auto& [from, to] : hull_.edges) {
@@ -88,8 +90,14 @@ void Silhouette::find_cover() {
         Vec3d normal = cross(a, b);
         if (dot(normal, hull_.corners[(to + 1) % hull_.corners.size()]) < 0) normal = -normal;
         const double error = 2 * dot_error * glm::length(a) * glm::length(b);
-        for (const Vec3d& corner : hull_.corners)
-            if (!(dot(normal, corner) >= -error * largest_)) return inside_.clear();
+        double farthest_inside = 0;
+        for (const Vec3d& corner : hull_.corners) {
+            const double inside = dot(normal, corner);
+            if (!(inside >= -error * largest_)) return inside_.clear();
+            farthest_inside = std::max(farthest_inside, inside);
+        }
+        const double lost_in_blur = 4 * hull_.blur * largest_ * largest_;  // of a determinant of three corners
+        if (!(farthest_inside > error * largest_ + lost_in_blur)) return inside_.clear();
         inside_.push_back({normal, longest * (2 * hull_.blur / nearest_ * glm::length(normal) + error +
                                               dot_error * glm::length(normal))});
     }
