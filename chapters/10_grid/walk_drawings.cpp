@@ -159,7 +159,7 @@ PlaneDrawing draw_walk_step(int step) {
     const std::string listed = has_plank && has_ball ? "plank and ball" : has_plank ? "the plank" : "nothing";
     const std::string ahead = bold_if(fmt::format("x at {:.3f}", here.next_x), here.next_x < here.next_y) + ", " +
                               bold_if(fmt::format("y at {:.3f}", here.next_y), here.next_y < here.next_x);
-    const std::string found = nearest == 0 ? "no hit so far"
+    const std::string found = nearest == 0 ? "no hit"
                               : ends       ? fmt::format("hit at {:.3f}, in the cell: end", nearest)
                                            : fmt::format("hit at {:.3f}, beyond the cell", nearest);
     const auto below = [&](const std::string& words, double pixels) {

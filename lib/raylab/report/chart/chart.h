@@ -20,6 +20,7 @@ struct Curve {
     std::vector<double> x, y;
     std::vector<double> low = {}, high = {};  // error bars; empty where there are none
     std::optional<double> measured_to = {};   // beyond this x the curve goes on as it is expected to, and is dashed
+    std::optional<std::size_t> look = {};     // of the palette's; otherwise its place among the curves
 };
 enum class AxisKind { linear, logarithmic };
 struct CurveChart {

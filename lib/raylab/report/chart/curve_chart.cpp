@@ -52,11 +52,15 @@ std::string data_of(const CurveChart& chart, const Curve& curve, std::size_t ind
     return fmt::format("# {}\n$curve{} << EOD\n{}EOD\n", gnuplot_text(curve.name), index, lines);
 }
 
+MarkerStyle look_of(const CurveChart& chart, std::size_t curve) {
+    return style_of(chart.curves[curve].look.value_or(curve));
+}
+
 std::string plot_of(const CurveChart& chart) {
     std::string plot;
     const auto add = [&](const std::string& layer) { plot += (plot.empty() ? "plot " : ", \\\n     ") + layer; };
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-        const auto look = style_of(i);
+        const auto look = look_of(chart, i);
         const auto every = std::max<std::size_t>(1, (chart.curves[i].x.size() + max_markers - 1) / max_markers);
         if (!chart.curves[i].low.empty())
             add(fmt::format("$curve{} using 1:3:(0):($4-$3) with vectors nohead linewidth 1.2 "
@@ -97,7 +101,7 @@ std::string names_at_ends(const CurveChart& chart, const Canvas& canvas, const S
     std::string script;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         script += line_at(canvas, ends[i] + 6, heights[i], area.x1 + 12, column[i], "#b0b0b8", 0.8) +
-                  marker_at(canvas, area.x1 + 22, column[i], style_of(i), 1.3) +
+                  marker_at(canvas, area.x1 + 22, column[i], look_of(chart, i), 1.3) +
                   text_at(canvas, area.x1 + 34, column[i], chart.curves[i].name, {.size = curve_font});
     }
     return script;

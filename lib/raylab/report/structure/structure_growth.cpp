@@ -153,7 +153,7 @@ CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) 
         const std::string name = cost.structure + (one_family ? "" : ", " + cost.family);
         const auto [title, y_label, value, low, high] = shown(cost, what);
         if (chart.curves.empty() || chart.curves.back().name != name)
-            chart.curves.push_back({.name = name, .x = {}, .y = {}});
+            chart.curves.push_back({.name = name, .x = {}, .y = {}, .look = chart.curves.size()});
         chart.title = title;
         chart.y_label = y_label;
         Curve& curve = chart.curves.back();
@@ -166,7 +166,8 @@ CurveChart growth_chart(const std::vector<StructureCost>& costs, GrowthOf what) 
     const auto is_nothing = [](const Curve& curve) {
         return std::ranges::all_of(curve.y, [](double y) { return !(y > 0); });
     };
-    std::erase_if(chart.curves, is_nothing);  // a list has no steps
+    // A list has no steps. The others look as in the charts beside this one.
+    std::erase_if(chart.curves, is_nothing);
     return chart;
 }
 

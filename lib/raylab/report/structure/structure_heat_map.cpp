@@ -62,8 +62,9 @@ void draw_legend(Image& image, const HeatScale& scale, double top, const CostMap
         const auto anchor = tick.at == 0 ? Anchor::left : x > right - 12 * unit ? Anchor::right : Anchor::center;
         draw_text(image, {x, below + 16 * unit}, letter, tick.text, ink::black, anchor);
     }
+    const std::string beyond = map.largest() > top ? ", white from " + number_text(top) + " on" : "";
     draw_text(image, {left, below + 34 * unit}, letter,
-              "mean " + number_text(map.mean()) + ", most " + number_text(map.largest()), ink::black);
+              "mean " + number_text(map.mean()) + ", most " + number_text(map.largest()) + beyond, ink::black);
 }
 
 }  // namespace
