@@ -1,5 +1,7 @@
 #include "source_text.h"
 
+#include "directives.h"
+
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
 
@@ -8,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <regex>
 #include <sstream>
 
 namespace raylab::grading {
@@ -21,28 +22,17 @@ constexpr std::size_t largest_source = 1 << 20;  // bytes; an answer has a thous
 constexpr std::size_t shown_lines = 20;          // the first errors are the true ones
 constexpr std::size_t shown_columns = 240;       // of a line; templates can fill pages
 
-std::string without_all(std::string text, const std::string& part) {
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at)) text.erase(at, part.size());
-    return text;
+std::string with_all(const std::string& text, const std::string& part, const std::string& by) {
+    std::string result;
+    std::size_t begin = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, begin)) {
+        result.append(text, begin, at - begin).append(by);
+        begin = at + part.size();
+    }
+    return result.append(text, begin);
 }
 
-std::string with_all(std::string text, const std::string& part, const std::string& by) {
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
-        text.replace(at, part.size(), by);
-    return text;
-}
-
-// What stands behind #include; the preprocessor joins lines first, and a comment is a blank to it.
-std::vector<std::string> asked_for(const std::string& text) {
-    static const std::regex comment(R"(/\*[^*]*\*+(?:[^/*][^*]*\*+)*/)"),
-        directive(R"(^\s*(?:#|%:)\s*(?:include|include_next|import)\b\s*(.*?)\s*$)");
-    std::istringstream lines(std::regex_replace(without_all(text, "\\\n"), comment, " "));
-    std::vector<std::string> found;
-    std::smatch match;
-    for (std::string line; std::getline(lines, line);)
-        if (line.size() < shown_columns && std::regex_match(line, match, directive)) found.push_back(match[1]);
-    return found;
-}
+std::string without_all(const std::string& text, const std::string& part) { return with_all(text, part, ""); }
 
 bool is_below(const fs::path& file, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
@@ -67,12 +57,12 @@ bool is_of_system(const fs::path& file) {
 std::string source_text(const fs::path& file) {
     auto text = read_file(file, largest_source);
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    return with_all(std::move(text), "\r\n", "\n");
+    return with_all(text, "\r\n", "\n");
 }
 
 std::vector<std::string> faults_of_directives(const std::string& text) {
     std::vector<std::string> faults;
-    for (const auto& asked : asked_for(text)) {
+    for (const auto& asked : included_names(text)) {
         const bool is_named = asked.size() > 2 && (asked[0] == '"' || asked[0] == '<');
         const auto name = is_named ? asked.substr(1, asked.find_first_of("\">", 1) - 1) : std::string();
         const auto steps = fs::path(name);
@@ -81,7 +71,7 @@ std::vector<std::string> faults_of_directives(const std::string& text) {
             faults.push_back(
                 fmt::format("the file includes {}: an answer may include headers only, by the names that its "
                             "stub uses, of the standard library, GLM and the lab's public headers",
-                            printable(asked)));
+                            printable(asked.substr(0, shown_columns))));
     }
     return faults;
 }
@@ -108,8 +98,8 @@ std::vector<std::string> faults_of_includes(const std::vector<fs::path>& include
 
 std::string shown_messages(const std::string& messages, const fs::path& copy, const fs::path& file) {
     auto text = with_all(messages, copy.filename().string() + ":", file.lexically_normal().string() + ":");
-    text = without_all(std::move(text), copy.parent_path().string() + "/include/");
-    text = with_all(std::move(text), "./raylab/", "raylab/");  // headers that were compiled before
+    text = without_all(text, copy.parent_path().string() + "/include/");
+    text = with_all(text, "./raylab/", "raylab/");  // headers that were compiled before
     std::istringstream lines(printable_lines(text));
     std::string shown;
     std::size_t count = 0;
