@@ -124,6 +124,14 @@ TEST_CASE("a handout checks alone, wherever it stands, and holds no reference an
     const auto work = run_alone(here + "./raylab check 10 --verdict-only");  // one with shared libraries
     INFO(work.output << work.errors);
     CHECK(work.output.find("not written yet") != std::string::npos);
+
+    const auto own = moved / "exercises/02_ray_sphere/nearest_sphere_hit.cpp";
+    fs::copy_file(moved / "right.cpp", own, fs::copy_options::overwrite_existing);
+    const auto watched = run_alone(here + "./raylab watch 02 --once");
+    INFO(watched.output << watched.errors);
+    CHECK(watched.code == 0);
+    CHECK(watched.output.find("Exercise 02_ray_sphere: exercises/02_ray_sphere/nearest_sphere_hit.cpp:1\n") !=
+          std::string::npos);
     fs::remove_all(moved);
 }
 

@@ -8,6 +8,7 @@
 #include "raylab/base/temporary.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_files/terminal_picture.h"
+#include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,11 +26,8 @@ namespace {
 constexpr double check_patience = 300;   // seconds for one check
 constexpr std::size_t shown_lines = 20;  // of a compiler's messages
 constexpr int preview_columns = 78;      // of a terminal, which seldom has fewer than 80
-const fs::path exercises_folder = fs::path(RAYLAB_SOURCE) / "exercises";
 
-fs::path students_file(const grading::Exercise& exercise) {
-    return exercises_folder / exercise.folder / (exercise.slot + ".cpp");
-}
+fs::path folder_of(const grading::Exercise& exercise) { return source_folder() / "exercises" / exercise.folder; }
 
 std::string first_messages(const std::string& text) {
     std::istringstream lines(text);
@@ -59,16 +57,14 @@ std::string failures_in(const nlohmann::json& verdict) {
 }  // namespace
 
 WatchedExercise::WatchedExercise(const grading::Exercise& exercise)
-    : WatchedExercise(exercise, students_file(exercise)) {}
+    : WatchedExercise(exercise, folder_of(exercise) / (exercise.slot + ".cpp")) {}
 
 WatchedExercise::WatchedExercise(const grading::Exercise& exercise, const fs::path& file)
     : exercise_(&exercise), file_(file) {}
 
 std::string WatchedExercise::file() const { return fs::proximate(file_).string() + ":1"; }
 
-std::string WatchedExercise::readme() const {
-    return fs::proximate(exercises_folder / exercise_->folder / "README.md").string();
-}
+std::string WatchedExercise::readme() const { return fs::proximate(folder_of(*exercise_) / "README.md").string(); }
 
 bool WatchedExercise::is_begun() const { return read_file(file_).find("Unfinished{}") == std::string::npos; }
 
