@@ -4,6 +4,7 @@
 #include "grade_json.h"
 #include "official_grade.h"
 #include "prepared_header.h"
+#include "seeds.h"
 #include "sha256.h"
 #include "submission.h"
 

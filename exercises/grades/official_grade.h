@@ -24,15 +24,4 @@ Grade official_grade(const Exercise& exercise, const std::filesystem::path& file
 /// The hash of the exercise's cases of this seed, with the reference's answers to them.
 std::string cases_sha256(const Exercise& exercise, const std::vector<Case>& cases);
 
-/// The largest seed of an official result: each reader of JSON keeps such numbers exactly.
-inline constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53) - 1;
-
-/// A seed that nobody can foretell, and one that nobody can who has not the course's key: with it, the cases of a
-/// submission can be told again from the names of exercise and student.
-std::uint64_t fresh_seed();
-std::uint64_t seed_by_key(const std::string& key, const std::string& exercise, const std::string& student);
-
-/// A course's key from its file. It throws an Error for a file that cannot be read, or has fewer than 16 bytes.
-std::string read_course_key(const std::filesystem::path& file);
-
 }  // namespace raylab::grading

@@ -1,4 +1,5 @@
-#include "official_grade.h"
+#include "seeds.h"
+
 #include "sha256.h"
 
 #include "raylab/base/error.h"

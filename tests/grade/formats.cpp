@@ -2,8 +2,8 @@
 
 #include "formats.h"
 #include "grade_json.h"
-#include "official_grade.h"
 #include "part_text.h"
+#include "seeds.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"

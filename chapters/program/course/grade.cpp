@@ -3,6 +3,7 @@
 
 #include "formats.h"
 #include "official_grade.h"
+#include "seeds.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"

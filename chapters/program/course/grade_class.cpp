@@ -1,7 +1,7 @@
 #include "course/grade.h"
 
 #include "class_table.h"
-#include "official_grade.h"
+#include "seeds.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
