@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <set>
 
 namespace raylab::grading {
 
@@ -62,6 +63,18 @@ bool still_holds(const Grade& grade, const HandedIn& handed, const ClassTerms& t
     if ((terms.seed || terms.key) && grade.seed != seed_for(handed, terms)) return false;
     const auto now = find_submission(exercise(handed.exercise), handed.path);
     return now.submitted.sha256 == grade.submitted.sha256;
+}
+
+std::string student_of(const fs::path& entry) {
+    return (fs::is_directory(entry) ? entry.filename() : entry.stem()).string();
+}
+
+// A student's second entry would be graded into the first one's result. Other names may stand between the two.
+void refuse_second_entries(const std::vector<fs::path>& entries) {
+    std::set<std::string> students;
+    for (const auto& entry : entries)
+        if (const auto student = student_of(entry); !students.insert(student).second)
+            throw Error({entry.string()}, "one entry for each student", "two of " + student);
 }
 
 // Compiled headers are worth it from this many submissions of an exercise on: each saves half as much as they cost.
@@ -156,15 +169,10 @@ std::vector<HandedIn> handed_in(const fs::path& folder, const Course& course) {
         entries.push_back(entry.path());
     }
     std::ranges::sort(entries);
+    refuse_second_entries(entries);
     std::vector<HandedIn> all;
     for (const auto& assignment : course.assignments)
-        for (const auto& entry : entries) {
-            const auto student = fs::is_directory(entry) ? entry.filename() : entry.stem();
-            all.push_back({student.string(), assignment.exercise->folder, entry});
-        }
-    for (std::size_t i = 1; i < all.size(); ++i)
-        if (all[i].student == all[i - 1].student)
-            throw Error({all[i].path.string()}, "one entry for each student", "two of " + all[i].student);
+        for (const auto& entry : entries) all.push_back({student_of(entry), assignment.exercise->folder, entry});
     return all;
 }
 

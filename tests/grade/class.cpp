@@ -133,6 +133,21 @@ TEST_CASE("what a course.toml lacks or has too much is an Error with its line") 
     refused("[[exercise]]\nnumber = \"02\"\nlatte = 1", ":3: expected one of the keys");
 }
 
+TEST_CASE("a student has one entry, which may hold several exercises") {
+    const auto folder = class_folder / "entries";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "ann");
+    const auto two = course_of("[[exercise]]\nnumber = \"02\"\n[[exercise]]\nnumber = \"03\"\n");
+    CHECK(handed_in(folder, two).size() == 2);
+
+    const auto one = course_of("[[exercise]]\nnumber = \"02\"\n");
+    write_file(folder / "ann-b.cpp", "");  // stands between the two entries of ann
+    CHECK(handed_in(folder, one).size() == 2);
+    write_file(folder / "ann.cpp", "");
+    CHECK_THROWS_WITH(handed_in(folder, one),
+                      Catch::Contains("ann.cpp: expected one entry for each student, found two of ann"));
+}
+
 TEST_CASE("a class is graded once, goes on where it was stopped, and in parts gives the same") {
     fs::remove_all(class_folder);
     hand_in("one", "right/geometric.cpp");
