@@ -14,7 +14,12 @@ std::optional<Moment> moment_of(const std::string& text) {
     std::tm parts{};
     const char* end = strptime(text.c_str(), "%Y-%m-%d %H:%M", &parts);
     if (!end || *end) return std::nullopt;
-    return Moment(std::chrono::seconds(timegm(&parts)));
+    // strptime takes 30 February, too.
+    const std::chrono::year_month_day date{std::chrono::year(1900 + parts.tm_year),
+                                           std::chrono::month(static_cast<unsigned>(1 + parts.tm_mon)),
+                                           std::chrono::day(static_cast<unsigned>(parts.tm_mday))};
+    if (!date.ok()) return std::nullopt;
+    return std::chrono::sys_days(date) + std::chrono::hours(parts.tm_hour) + std::chrono::minutes(parts.tm_min);
 }
 
 Assignment assignment_of(const TomlTable& table) {

@@ -130,6 +130,8 @@ TEST_CASE("what a course.toml lacks or has too much is an Error with its line") 
     refused("[[exercise]]\nnumber = \"99\"", "expected an exercise");
     refused("[[exercise]]\nnumber = \"02\"\nweight = -1", ":3: expected weight to be a number from 0");
     refused("[[exercise]]\nnumber = \"02\"\ndeadline = \"tomorrow\"", ":3: expected deadline to be a moment");
+    for (const std::string date : {"2026-02-30 23:59", "2026-04-31 12:00", "2027-02-29 00:00"})
+        refused("[[exercise]]\nnumber = \"02\"\ndeadline = \"" + date + "\"", ":3: expected deadline to be a moment");
     refused("[[exercise]]\nnumber = \"02\"\nlatte = 1", ":3: expected one of the keys");
 }
 
