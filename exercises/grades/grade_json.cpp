@@ -46,10 +46,14 @@ Json to_json(const FirstWrong& wrong) {
 
 Hundredths hundredths(const Json& points) { return static_cast<Hundredths>(std::lround(100 * points.get<double>())); }
 
-Outcome outcome_named(const std::string& name) {
-    for (int i = 0; i <= static_cast<int>(Outcome::internal); ++i)
-        if (to_string(static_cast<Outcome>(i)) == name) return static_cast<Outcome>(i);
-    throw Error("expected a verdict, found " + name);
+Outcome outcome_named(const std::string& name, const std::string& source) {
+    std::string known;
+    for (int i = 0; i <= static_cast<int>(Outcome::internal); ++i) {
+        const auto outcome = static_cast<Outcome>(i);
+        if (to_string(outcome) == name) return outcome;
+        known += (i ? ", " : "") + to_string(outcome);
+    }
+    throw Error({.file = source, .inside = "/verdict"}, "one of " + known, name);
 }
 
 GradePart part_from(const Json& json) {
@@ -61,12 +65,13 @@ GradePart part_from(const Json& json) {
             .message = json.at("message").get<std::string>()};
 }
 
-Grade grade_from(const Json& json) {
+Grade grade_from(const Json& json, const std::string& source) {
     const auto text = [](const Json& in, const char* key) { return in.at(key).get<std::string>(); };
-    if (text(json, "format") != format_name) throw Error(std::string("expected the format ") + format_name);
+    if (const auto format = text(json, "format"); format != format_name)
+        throw Error({.file = source, .inside = "/format"}, format_name, format);
     Grade grade{.exercise = text(json, "exercise"),
                 .student = text(json, "student"),
-                .outcome = outcome_named(text(json, "verdict")),
+                .outcome = outcome_named(text(json, "verdict"), source),
                 .summary = text(json, "summary"),
                 .details = text(json, "details"),
                 .parts = {},
@@ -149,7 +154,7 @@ Json to_json(const Grade& grade) {
 
 Grade grade_from_json(const Json& json, const std::string& source) {
     try {
-        return grade_from(json);
+        return grade_from(json, source);
     } catch (const nlohmann::json::exception& error) {
         throw Error({source}, std::string("a result (") + format_name + ")", error.what());
     }

@@ -73,6 +73,19 @@ TEST_CASE("a result is read again as it was written") {
     CHECK_THROWS_AS(grade_from_json(json_from_text("{}", "nothing"), "nothing"), Error);
 }
 
+TEST_CASE("what is no result is an Error that names the file, the place, what was expected and what was found") {
+    const auto refused = [](const char* key, const nlohmann::ordered_json& value, const std::string& words) {
+        auto json = to_json(made(Outcome::wrong));
+        json[key] = value;
+        CHECK_THROWS_WITH(grade_from_json(json, "results/one.json"), Catch::Contains("results/one.json " + words));
+    };
+    refused("format", "raylab.result/9", "/format: expected raylab.result/1, found raylab.result/9");
+    refused("verdict", "maybe",
+            "/verdict: expected one of pass, wrong, nonfinite, too_much_work, unfinished, "
+            "incomplete, crash, timeout, memory, output_limit, policy, does_not_compile, refused, "
+            "no_submission, internal, found maybe");
+}
+
 TEST_CASE("text is cut between two characters, and never longer than asked for") {
     for (std::size_t longest = 3; longest < 20; ++longest) {
         const auto text = safe_text("äöüßäöüßäöüß", longest);
