@@ -1,5 +1,6 @@
 #include "class_table.h"
 #include "part_text.h"
+#include "spreadsheet.h"
 
 #include "raylab/report/json_text.h"
 
@@ -11,15 +12,6 @@ namespace raylab::grading {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// RFC 4180. What begins like a formula is not to be one in a spreadsheet.
-std::string csv_field(const std::string& text) {
-    std::string safe = safe_text(text, longest_message);
-    if (!safe.empty() && std::string_view("=+-@").find(safe[0]) != std::string_view::npos) safe.insert(0, "'");
-    if (safe.find_first_of(",\"\n") == std::string::npos) return safe;
-    for (auto at = safe.find('"'); at != std::string::npos; at = safe.find('"', at + 2)) safe.insert(at, "\"");
-    return "\"" + safe + "\"";
-}
 
 Json to_json(const AssignmentSummary& summary) {
     const auto& assignment = summary.assignment;
@@ -62,22 +54,25 @@ Json to_json(const ClassTable& table, const StudentRow& row) {
     return json;
 }
 
+std::vector<std::string> cells_of(const Counted& result) {
+    if (!result.grade) return std::vector<std::string>(4);
+    return {fmt::format("{:.2f}", result.points), to_string(result.grade->outcome), result.late ? "late" : "",
+            result.grade->hint_id};
+}
+
 }  // namespace
 
 std::string class_csv(const ClassTable& table) {
-    std::string csv = "student,total";
-    for (const auto& summary : table.assignments) {
-        const auto name = csv_field(summary.assignment.exercise->folder);
-        csv += fmt::format(",{0} points,{0} verdict,{0} late,{0} hint", name);
-    }
-    csv += "\r\n";
+    std::vector<std::string> header{"student", "total"};
+    for (const auto& summary : table.assignments)
+        for (const auto* column : {" points", " verdict", " late", " hint"})
+            header.push_back(summary.assignment.exercise->folder + column);
+    std::string csv = spreadsheet_record(header);
     for (const auto& row : table.students) {
-        csv += fmt::format("{},{:.2f}", csv_field(row.student), row.total);
-        for (const auto& [grade, late, points] : row.results)
-            csv += grade ? fmt::format(",{:.2f},{},{},{}", points, to_string(grade->outcome), late ? "late" : "",
-                                       csv_field(grade->hint_id))
-                         : ",,,,";
-        csv += "\r\n";
+        std::vector<std::string> cells{row.student, fmt::format("{:.2f}", row.total)};
+        for (const auto& result : row.results)
+            for (auto& cell : cells_of(result)) cells.push_back(std::move(cell));
+        csv += spreadsheet_record(std::move(cells));
     }
     return csv;
 }

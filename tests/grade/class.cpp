@@ -199,6 +199,7 @@ TEST_CASE("cases that have changed are told, and graded again by the same seed o
 TEST_CASE("with pseudonyms no name is left in the report, and without a key there are none") {
     fs::remove_all(class_folder / "class");
     write_file(class_folder / "class/somebody.cpp", "this is no C++");
+    write_file(class_folder / "class/=some, \"body\".cpp", "this is no C++");
     write_file(class_folder / "course.key", "sixteen bytes and more");
     CHECK(run_class({"02", "--class", "class", "-o", "secret", "--pseudonyms"}).code == 2);
     const auto done = run_class({"02", "--class", "class", "-o", "secret", "--pseudonyms", "--key", "course.key"});
@@ -208,5 +209,8 @@ TEST_CASE("with pseudonyms no name is left in the report, and without a key ther
         CHECK(entry.path().string().find("somebody") == std::string::npos);
         if (entry.is_regular_file()) CHECK(read_file(entry.path()).find("somebody") == std::string::npos);
     }
-    CHECK(read_file(class_folder / "secret.names.csv").find(",somebody\n") != std::string::npos);
+    const auto names = class_folder / "secret.names.csv";
+    CHECK(read_file(names).find(",somebody\r\n") != std::string::npos);
+    CHECK(read_file(names).find(",\"'=some, \"\"body\"\"\"\r\n") != std::string::npos);
+    CHECK(fs::status(names).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }

@@ -2,6 +2,7 @@
 
 #include "class_table.h"
 #include "seeds.h"
+#include "spreadsheet.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
@@ -77,15 +78,24 @@ std::string listed(const std::vector<HandedIn>& all, const ClassTerms& terms) {
     return text;
 }
 
-// Who is who, beside the report and for the course alone.
+// Who is who, beside the report and for the course alone: nobody else may enter the folder in which the file waits for
+// its mode and its place.
 void write_names(const std::vector<HandedIn>& all, const ClassTerms& terms) {
-    std::set<std::string> lines;
-    for (const auto& handed : all) lines.insert(name_in_report(handed.student, terms) + "," + handed.student + "\n");
-    std::string text = "pseudonym,student\n";
-    for (const auto& line : lines) text += line;
+    constexpr auto owner_only = fs::perms::owner_read | fs::perms::owner_write;
+    std::set<std::string> records;
+    for (const auto& handed : all)
+        records.insert(spreadsheet_record({name_in_report(handed.student, terms), handed.student}));
+    std::string text = spreadsheet_record({"pseudonym", "student"});
+    for (const auto& record : records) text += record;
     const fs::path file = fs::path(terms.report.string() + ".names.csv");
-    write_file(file, text);
-    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+    if (fs::exists(file)) fs::permissions(file, owner_only);  // the new file takes the old one's mode
+    Outputs outputs({.folders = {file.parent_path()}});
+    outputs.naming_folders([&] {
+        const auto staged = outputs.staged(file.parent_path()).path / file.filename();
+        write_file(staged, text);
+        fs::permissions(staged, owner_only);
+    });
+    outputs.commit();
 }
 
 // Tables and pages, put in place together.
