@@ -47,7 +47,7 @@ Finding program(const std::string& name, const std::string& option, const std::s
     const auto path = find_program(name);
     if (path.empty()) return finding;
     const auto asked = run_process(path, {option}, {.timeout = 10});
-    if (asked.end == ProcessResult::End::timed_out) {
+    if (!asked.succeeded()) {
         finding.without = failure_of(path.string(), asked);
         return finding;
     }
