@@ -36,7 +36,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 # libseccomp: the launcher of students' programs refuses system calls with it (exercises/isolation).
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)
 
-# nettle: the hash of what was graded (exercises/grades/sha256.h). xxHash: whether a kept file is whole and is about the same scene
+# nettle: the hash of what was graded (exercises/grading/sha256.h). xxHash: whether a kept file is whole and is about the same scene
 # (radiosity/cache/content_hash.h).
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 find_path(XXHASH xxhash.h REQUIRED)

@@ -28,7 +28,7 @@ std::vector<HandedIn> handed_in(const std::filesystem::path& folder, const Cours
 /// How a class is graded.
 struct ClassTerms {
     std::filesystem::path report;       // results go to REPORT/results/EXERCISE/STUDENT.json
-    std::vector<std::string> words;     // for each `raylab grade`: --seed, --key, --points, --isolation
+    std::vector<std::string> words;     // for each `raylab grade`: --points, --isolation
     std::optional<std::string> key;     // for seeds, and for pseudonyms where those are asked for
     std::optional<std::uint64_t> seed;  // the same for all
     bool pseudonyms = false;

@@ -12,7 +12,7 @@ std::vector<Symptom> general_symptoms(const Exercise& exercise);
 std::optional<Found> find_constant_answer(const Exercise& exercise, std::span<const double> answers,
                                           const Outcomes& outcomes);
 
-/// All wrong answers are to one group of cases, and that group is mostly wrong.
+/// All wrong answers are to one group of cases, and some of the right ones are to others.
 std::optional<Found> find_single_group(const std::vector<Case>& cases, const Outcomes& outcomes);
 
 }  // namespace raylab::grading

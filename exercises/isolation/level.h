@@ -24,7 +24,7 @@ struct Isolation {
 /// The highest level that this kernel offers.
 Isolation best_isolation();
 
-/// One of at most this level, or an Error that says what the machine lacks: a check never falls back silently.
+/// Exactly this level, or an Error that says what the machine lacks: a check never falls back silently.
 Isolation isolation_at(Level level);
 
 /// "level 3 (Landlock 7, seccomp, limits, a user of its own)".
