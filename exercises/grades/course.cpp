@@ -38,15 +38,6 @@ Assignment assignment_of(const TomlTable& table) {
 
 }  // namespace
 
-std::string to_string(Moment moment) {
-    const std::time_t seconds = moment.time_since_epoch().count();
-    std::tm parts{};
-    gmtime_r(&seconds, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
-
 Course read_course(const std::filesystem::path& path) {
     const auto file = path.string();
     const auto root = toml_file::parse(read_file(path), file);

@@ -1,19 +1,14 @@
 #pragma once
 
 #include "exercise.h"
+#include "moment.h"
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace raylab::grading {
-
-using Moment = std::chrono::sys_seconds;  // UTC
-
-/// "2026-11-30T23:59:00Z".
-std::string to_string(Moment moment);
 
 /// An exercise as a course asks for it.
 struct Assignment {

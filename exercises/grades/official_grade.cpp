@@ -2,6 +2,7 @@
 
 #include "asking.h"
 #include "compiling.h"
+#include "moment.h"
 #include "sha256.h"
 #include "submission.h"
 
@@ -10,8 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <iterator>
 
 namespace raylab::grading {
@@ -20,15 +19,6 @@ namespace {
 
 // The cases that are the same for everybody, asked after wrong answers only, for no points.
 constexpr std::uint64_t seed_for_fingerprints = 1;
-
-std::string utc_now() {
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
 
 std::string lab_version() {
     static const std::string version = [] {
@@ -214,7 +204,7 @@ Grade official_grade(const Exercise& exercise, const std::filesystem::path& file
     grade.isolation = terms.isolation;
     grade.cases_sha256 = cases_sha256(exercise, cases);
     grade.lab = lab_version();
-    grade.began = utc_now();
+    grade.began = to_string(now());
     auto submission = find_submission(exercise, file_or_folder);
     grade.submitted = std::move(submission.submitted);
     if (!submission.fault.empty()) {
@@ -232,7 +222,7 @@ Grade official_grade(const Exercise& exercise, const std::filesystem::path& file
             grade.summary = compiled.refused ? "the file is not taken as an answer" : "the file does not compile";
         }
     }
-    grade.ended = utc_now();
+    grade.ended = to_string(now());
     return grade;
 }
 

@@ -1,6 +1,6 @@
 #include "submission.h"
 
-#include "course.h"
+#include "moment.h"
 #include "sha256.h"
 
 #include "raylab/base/file.h"
