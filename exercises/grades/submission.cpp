@@ -2,6 +2,7 @@
 
 #include "moment.h"
 #include "sha256.h"
+#include "source_text.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
@@ -20,8 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t largest_submission = 1 << 20;  // bytes; an answer has a thousandth of that
-constexpr std::size_t most_entries = 2000;              // of a folder; what is more is not looked at
+constexpr std::size_t most_entries = 2000;  // of a folder; what is more is not looked at
 constexpr int deepest_folder = 8;
 constexpr std::size_t named_files = 4;
 
@@ -133,12 +133,12 @@ Submission find_submission(const Exercise& exercise, const fs::path& file_or_fol
     submitted.modified = time_of(file);
     if (!fs::is_regular_file(file, missing)) return fault = submitted.file + " is no regular file", found;
     submitted.bytes = fs::file_size(file, missing);
-    if (submitted.bytes > largest_submission) {
+    if (submitted.bytes > largest_source) {
         fault = fmt::format("the file has {:.1f} MB, and an answer may have {}",
-                            static_cast<double>(submitted.bytes) / (1 << 20), largest_submission >> 20);
+                            static_cast<double>(submitted.bytes) / (1 << 20), largest_source >> 20);
         return found;
     }
-    const auto text = read_file(file, largest_submission);
+    const auto text = read_file(file, largest_source);
     submitted.sha256 = hexadecimal(sha256(text));
     fault = fault_of(text, exercise.slot + ".cpp");
     return found;

@@ -18,9 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t largest_source = 1 << 20;  // bytes; an answer has a thousandth of that
-constexpr std::size_t shown_lines = 20;          // the first errors are the true ones
-constexpr std::size_t shown_columns = 240;       // of a line; templates can fill pages
+constexpr std::size_t shown_lines = 20;     // the first errors are the true ones
+constexpr std::size_t shown_columns = 240;  // of a line; templates can fill pages
 
 std::string with_all(const std::string& text, const std::string& part, const std::string& by) {
     std::string result;

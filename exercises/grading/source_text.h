@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,8 +9,10 @@
 
 namespace raylab::grading {
 
+inline constexpr std::size_t largest_source = 1 << 20;  // bytes; an answer has a thousandth of that
+
 /// The file's text without a byte order mark, with \n at the ends of lines, whatever the editor wrote. It throws an
-/// Error where there is no such file, or one of more than a megabyte.
+/// Error where there is no such file, or a larger one.
 std::string source_text(const std::filesystem::path& file);
 
 /// A sentence for each directive that asks for a file which no answer needs: by an absolute path, through "..", a
