@@ -1,6 +1,7 @@
 #include "grade_json.h"
 
 #include "formats.h"
+#include "isolation_json.h"
 #include "part_text.h"
 
 #include "raylab/base/error.h"
@@ -18,13 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "raylab.result/1";
-
-Json to_json(const Isolation& isolation) {
-    return {{"level", static_cast<int>(isolation.level)},
-            {"landlock", isolation.landlock},
-            {"seccomp", isolation.level >= Level::system_calls},
-            {"own_user", isolation.own_user}};
-}
 
 Json to_json(const GradePart& part) {
     return {{"name", safe_text(part.name, longest_message)},

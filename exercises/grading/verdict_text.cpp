@@ -1,5 +1,7 @@
 #include "verdict_text.h"
 
+#include "isolation_json.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -86,10 +88,7 @@ std::string word_for(Answers::End end) {
 
 void add_conditions(nlohmann::ordered_json& json, const Conditions& conditions) {
     json["seed"] = conditions.seed;
-    json["isolation"] = {{"level", static_cast<int>(conditions.isolation.level)},
-                         {"landlock", conditions.isolation.landlock},
-                         {"seccomp", conditions.isolation.level >= Level::system_calls},
-                         {"own_user", conditions.isolation.own_user}};
+    json["isolation"] = to_json(conditions.isolation);
 }
 
 }  // namespace
