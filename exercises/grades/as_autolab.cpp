@@ -21,13 +21,11 @@ std::string line_of(const nlohmann::ordered_json& json) {
 }  // namespace
 
 std::string as_autolab(const Grade& grade) {
-    const bool compiled = grade.outcome != Outcome::does_not_compile && grade.outcome != Outcome::refused &&
-                          grade.outcome != Outcome::no_submission && grade.outcome != Outcome::internal;
     nlohmann::ordered_json shown{{"_presentation", "semantic"},
                                  {"stages", {"Build", "Test"}},
-                                 {"Build", {{"compile", {{"passed", compiled}}}}},
+                                 {"Build", {{"compile", {{"passed", grade.was_asked()}}}}},
                                  {"Test", nlohmann::ordered_json::object()}};
-    if (!compiled) shown["Build"]["compile"]["hint"] = safe_text(whole_text(grade), longest_message);
+    if (!grade.was_asked()) shown["Build"]["compile"]["hint"] = safe_text(whole_text(grade), longest_message);
     for (const auto& part : grade.parts) {
         nlohmann::ordered_json test{{"passed", part.passed()}};
         if (!part.passed()) test["hint"] = safe_text(part_text(grade, part), longest_message);

@@ -10,8 +10,7 @@
 namespace raylab::grading {
 
 std::string as_prairielearn(const Grade& grade) {
-    const bool gradable = grade.outcome != Outcome::does_not_compile && grade.outcome != Outcome::refused &&
-                          grade.outcome != Outcome::no_submission && grade.outcome != Outcome::internal;
+    const bool gradable = grade.was_asked();
     const double whole = points_number(grade.most);
     nlohmann::ordered_json json{
         {"gradable", gradable},

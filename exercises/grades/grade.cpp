@@ -32,6 +32,11 @@ Hundredths Grade::points() const {
     return std::clamp(sum, 0, most);
 }
 
+bool Grade::was_asked() const {
+    return outcome != Outcome::does_not_compile && outcome != Outcome::refused && outcome != Outcome::no_submission &&
+           outcome != Outcome::internal;
+}
+
 std::vector<GradePart> with_equal_points(std::vector<GradePart> parts, Hundredths most) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         parts[i].most = share(most, i, parts.size());

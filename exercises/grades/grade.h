@@ -86,6 +86,10 @@ struct Grade {
 
     Hundredths points() const;
     bool passed() const { return outcome == Outcome::pass; }
+
+    /// Whether there was a program that could be asked: there was none where the file is missing, refused or does not
+    /// compile, or where the grader failed.
+    bool was_asked() const;
 };
 
 /// The parts with equal shares of the points, to the hundredth; those that are not passed have none.
