@@ -29,7 +29,7 @@ Hints read_hints(const Exercise& exercise) {
     return hints;
 }
 
-const std::string* Hints::text(const std::string& id) const {
+const std::string* Hints::text(const std::string& id) const& {
     for (const auto* known : {&mistakes, &general})
         if (const auto found = known->find(id); found != known->end()) return &found->second;
     return nullptr;

@@ -17,7 +17,8 @@ struct Hints {
     std::string look;                             // what the reference does differently
 
     /// The text of a hint; null where there is none of that id.
-    const std::string* text(const std::string& id) const;
+    const std::string* text(const std::string& id) const&;
+    const std::string* text(const std::string& id) const&& = delete;  // it would point into what is gone
 };
 
 /// The hints for every exercise (exercises/hints.toml), by their ids.

@@ -67,6 +67,14 @@ TEST_CASE("a watch gives hints on request, goes on to the next exercise, and end
     CHECK(says(result, "Hint 1 of 3"));
 }
 
+TEST_CASE("a watch tells the hint for what the answer has wrong, before those that the exercise gives") {
+    const auto answer = fs::path(RAYLAB_SOURCE) / "exercises/02_ray_sphere/mistakes/far_root.cpp";
+    const auto result = watch({"02", "--answer", answer.string()}, "hhq");
+    INFO(result.output << result.errors);
+    CHECK(says(result, "Your t is where the ray leaves the sphere. A picture needs where it enters"));
+    CHECK(says(result, "Hint 1 of 3"));
+}
+
 TEST_CASE("a watch shows a small picture where the terminal announces colours, and none in a pipe") {
     const auto answer = fs::path(RAYLAB_SOURCE) / "exercises/02_ray_sphere/right/from_the_middle.cpp";
     const auto sent = watched_in_colors("02", answer);

@@ -88,9 +88,10 @@ bool WatchedExercise::look() {
     in_short_ = passed_ ? "PASSED\n" : judged ? failures_in(verdict) : first_messages(at_length_);
     preview_ = fs::exists(picture) ? terminal_picture(read_image(picture), shows, preview_columns) : "";
     hint_.clear();
-    if (judged && verdict.at("hint_id").is_string())
-        if (const auto* text = read_hints(*exercise_).text(verdict.at("hint_id").get<std::string>()))
-            hint_ = *text + "\n(" + verdict.at("evidence").get<std::string>() + ")\n";
+    if (!judged || !verdict.at("hint_id").is_string()) return true;
+    const auto hints = read_hints(*exercise_);
+    if (const auto* text = hints.text(verdict.at("hint_id").get<std::string>()))
+        hint_ = *text + "\n(" + verdict.at("evidence").get<std::string>() + ")\n";
     return true;
 }
 
