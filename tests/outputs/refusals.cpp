@@ -43,6 +43,10 @@ const std::vector<Command> to_files = {
     {{"chapter", "02", "--only", "story", "--quick", "--json", "OUTPUT"}},
     {{"chapter", "02", "--scene", "scene.toml", "--only", "story", "--json", "OUTPUT"}, ".json", "scene.toml"},
     {{"check", "02", "--answer", "answer.cpp", "--verdict-only", "--json", "OUTPUT"}, ".json", "answer.cpp"},
+    {{"grade", "02", "--submission", "answer.cpp", "-o", "OUTPUT"}, ".json", "answer.cpp"},
+    {{"grade", "02", "--submission", "answer.cpp", "--key", "course.key", "-o", "OUTPUT"}, ".key", "course.key"},
+    {{"grade", "--scene", "scene.toml", "--reference", "a.png", "--picture", "b.png", "-o", "OUTPUT"}, ".png", "b.png"},
+    {{"grade", "--scene", "scene.toml", "--reference", "a.png", "--picture", "b.png", "-o", "OUTPUT"}, ".png", "a.png"},
     {{"tour", "--quick", "--out", "book", "--json", "OUTPUT"}},
     {{"bench", "--meshes", "mesh.off", "--peers", "bvh", "--size", "2", "--json", "OUTPUT"}, ".json", "mesh.off"},
 };
@@ -102,6 +106,16 @@ TEST_CASE("no command replaces what it reads, however that is spelled") {
         fs::remove(workplace.path() / soft);
         fs::remove(workplace.path() / hard);
     }
+}
+
+TEST_CASE("a result is not written among the submissions that are graded") {
+    const Workplace workplace;
+    fs::create_directory(workplace.path() / "class");
+    fs::copy_file(workplace.path() / "answer.cpp", workplace.path() / "class/nearest_sphere_hit.cpp");
+    for (const auto* output : {"class/nearest_sphere_hit.cpp", "class/result.json", "./class/../class/new/result"})
+        check_refused(workplace, {{"grade", "02", "--submission", "class", "-o", "OUTPUT"}}, output, output);
+    for (const auto* output : {"class", "class/report", "class/nearest_sphere_hit.cpp"})
+        check_refused(workplace, {{"grade", "02", "--class", "class", "-o", "OUTPUT"}}, output, output);
 }
 
 TEST_CASE("two outputs of a command are two files") {

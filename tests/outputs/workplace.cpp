@@ -27,6 +27,7 @@ Workplace::Workplace() {
     fs::copy_file(source / "tests/scene/meshes/pyramid.off", path() / "mesh.off");
     fs::copy_file(source / "tests/stability/shared_edge.json", path() / "replay.json");
     fs::copy_file(source / "lib/raylab/geometry/slot/nearest_sphere_hit.cpp", path() / "answer.cpp");
+    write_file(path() / "course.key", "sixteen bytes and more");
     write_file(path() / "rays", to_bytes(std::vector<Ray>{{{0, 0, 3}, {0, 0, -1}}}));
     for (const char* name : {"a.png", "b.png"}) write_image(Image(8, 8, {0.5f, 0.5f, 0.5f}), path() / name);
     for (const char* name : {"tree.json", "other.json"})

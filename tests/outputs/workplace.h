@@ -9,7 +9,7 @@
 #include <vector>
 
 /// A folder with input files for every command: scene.toml with mesh.off, tree.json, other.json, a.png, b.png, rays,
-/// replay.json, answer.cpp. The commands run in it.
+/// replay.json, answer.cpp, course.key. The commands run in it.
 class Workplace {
 public:
     Workplace();

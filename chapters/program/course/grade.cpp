@@ -8,6 +8,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 
 #include <filesystem>
@@ -94,6 +95,10 @@ ExitCode grade_command(const std::vector<std::string>& words) {
     const auto output = arguments.text("--output");
     if (arguments.has("NN") && arguments.all("NN").size() > 1)
         throw Error("expected one exercise, found " + std::to_string(arguments.all("NN").size()));
+    // Refused before anything is written: the result would replace what is to be graded, or what it is graded by.
+    const Outputs planned({.files = {output},
+                           .inputs = arguments.given({"--submission", "--key", "--scene", "--reference", "--picture",
+                                                      "--reference-dir", "--renderer"})});
     Grade internal{.exercise = asks_for_pictures(arguments) ? "pictures" : arguments.text("NN")};
     // A grader that dies, or is killed, leaves this, and never a result of another time.
     if (output != "-") write_file(output, format.text_of(internal));

@@ -158,6 +158,8 @@ ExitCode grade_class(const Arguments& arguments) {
     const fs::path folder = arguments.text("--class");
     const auto course = course_in(folder, arguments);
     const auto terms = terms_of(arguments);
+    // A report among the submissions would replace one, or be graded as one the next time.
+    const Outputs planned({.folders = {terms.report}, .inputs = {folder}});
     const auto all = handed_in(folder, course);
     write_file(terms.report / list_of_submissions, listed(all, terms));
     if (fs::exists(folder / "course.toml")) write_file(terms.report / "course.toml", read_file(folder / "course.toml"));

@@ -68,7 +68,11 @@ void fill(std::optional<Temporary>& temporary, const OutputPlace& place, const W
 }  // namespace
 
 Outputs::Outputs(const Plan& plan) : inputs_(plan.inputs) {
-    for (const auto& folder : plan.folders) folders_.emplace_back(output_folder(folder));
+    for (const auto& folder : plan.folders) {
+        auto place = output_folder(folder);
+        refuse_input(place);
+        folders_.emplace_back(std::move(place));
+    }
     for (const auto& file : plan.files) {
         auto place = output_place(file);
         refuse_collision(place);
@@ -83,9 +87,13 @@ void Outputs::keep(const std::vector<fs::path>& inputs) {
 
 void Outputs::refuse_input(const OutputPlace& place) const {
     if (place.way == Way::through) return;
-    for (const auto& input : inputs_)
+    for (const auto& input : inputs_) {
         if (same_file(place.target, input))
             throw Error({place.named.string()}, "an output that is no input", "the same file as " + input.string());
+        if (lies_in(place.target, input))
+            throw Error({place.named.string()}, "an output outside of the inputs",
+                        "one in the folder " + input.string());
+    }
 }
 
 void Outputs::refuse_collision(const OutputPlace& place) const {

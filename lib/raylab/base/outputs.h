@@ -31,7 +31,8 @@ public:
     struct Plan {
         std::vector<std::filesystem::path> files = {};    // "-" is standard output
         std::vector<std::filesystem::path> folders = {};  // for files whose names are known later
-        std::vector<std::filesystem::path> inputs = {};   // files that must not be replaced
+        // Files that must not be replaced, and folders into which nothing must be put.
+        std::vector<std::filesystem::path> inputs = {};
     };
 
     /// Throws an Error for an output that cannot be written, is an input or is another output.
