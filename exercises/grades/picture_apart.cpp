@@ -2,6 +2,7 @@
 
 #include "landlock.h"
 #include "limits.h"
+#include "submission.h"
 #include "system_calls.h"
 
 #include "raylab/base/file.h"
@@ -69,6 +70,7 @@ ForeignPicture picture_in(const std::string& bytes) {
 }  // namespace
 
 ForeignPicture read_picture_apart(const fs::path& file, const Isolation& isolation) {
+    if (auto link = fault_of_link(file); !link.empty()) return {{}, std::move(link)};
     std::error_code missing;
     if (!fs::is_regular_file(file, missing)) return {{}, "there is no picture " + printable(file.filename().string())};
     if (fs::file_size(file, missing) > largest_file) return {{}, "the picture's file is larger than 256 MB"};

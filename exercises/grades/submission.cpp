@@ -121,8 +121,18 @@ std::string fault_of(std::string_view text, const std::string& wanted) {
 
 }  // namespace
 
+std::string fault_of_link(const fs::path& handed_in) {
+    // "folder/" leads to where a link of that name does, and "folder" is the link.
+    const auto named = handed_in.has_filename() ? handed_in : handed_in.parent_path();
+    std::error_code missing;
+    if (!fs::is_symlink(fs::symlink_status(named, missing))) return {};
+    return printable(named.filename().string()) +
+           " is a symbolic link, which is not followed: hand in what it leads to";
+}
+
 Submission find_submission(const Exercise& exercise, const fs::path& file_or_folder) {
     std::error_code missing;
+    if (const auto link = fault_of_link(file_or_folder); !link.empty()) return {{}, {}, link};
     const auto kind = fs::status(file_or_folder, missing);
     if (!fs::exists(kind)) return {{}, {}, "there is no file " + printable(file_or_folder.filename().string())};
     const bool in_a_folder = fs::is_directory(kind);

@@ -138,6 +138,34 @@ TEST_CASE("of a folder the exercise's file is taken; links are not followed, and
     CHECK(result["submission"]["notes"][0] == "ignored: CMakeLists.txt");
 }
 
+TEST_CASE("a link that is handed in is not followed, and what it leads to is not told") {
+    fs::create_directories(folder);
+    const auto secret = file("secret.txt", "the course's secret\n");
+    const auto link_to = [](const fs::path& target) {
+        const auto link = folder / "link.cpp";
+        fs::remove(link);
+        fs::create_symlink(target, link);
+        return link;
+    };
+    const auto handed_in = folder / "of_a_student";
+    fs::create_directories(handed_in);
+    fs::copy_file(exercise_02 + "right/geometric.cpp", handed_in / "nearest_sphere_hit.cpp",
+                  fs::copy_options::overwrite_existing);
+    for (const auto& target : {secret, fs::path(exercise_02 + "right/geometric.cpp"), handed_in, folder / "missing"}) {
+        const auto process = grade(link_to(target));
+        INFO(target << "\n" << process.output << process.errors);
+        CHECK(verdict(process) == "no_submission");
+        CHECK(result_of(process)["score"] == 0.0);
+        CHECK(process.output.find("is a symbolic link") != std::string::npos);
+        CHECK(process.output.find("the course's secret") == std::string::npos);
+    }
+    // Where the folders above it lead is nothing that a student decides.
+    const auto above = folder / "above";
+    fs::remove(above);
+    fs::create_directory_symlink(handed_in, above);
+    CHECK(verdict(grade(above / "nearest_sphere_hit.cpp")) == "pass");
+}
+
 TEST_CASE("what does not compile, is refused or ends badly keeps its verdict, and points for what was right before") {
     CHECK(verdict(grade(exercise_02 + "nearest_sphere_hit.cpp")) == "unfinished");
     const auto broken = grade(file("broken.cpp", "this is no C++"));

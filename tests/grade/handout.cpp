@@ -172,7 +172,17 @@ TEST_CASE("each package grades as its machine calls it, and says so where it can
     CHECK(run_process("sh", {"-c", "GITHUB_OUTPUT=" + output.string() + " " + (folder / "github/grade.sh").string()},
                       {.timeout = 120})
               .succeeded());
-    const auto step = run_process("sh", {"-c", "sed s/^result=// " + output.string() + " | base64 -d"});
-    CHECK(json_from_text(step.output, "the step's result")["status"] == "pass");
+    const auto result = [&] {
+        const auto step = run_process("sh", {"-c", "tail -n 1 " + output.string() + " | sed s/^result=// | base64 -d"});
+        return json_from_text(step.output, "the step's result");
+    };
+    CHECK(result()["status"] == "pass");
+
+    fs::remove(folder / "github/nearest_sphere_hit.cpp");
+    fs::create_symlink(exercise_02 + "right/geometric.cpp", folder / "github/nearest_sphere_hit.cpp");
+    run_process("sh", {"-c", "GITHUB_OUTPUT=" + output.string() + " " + (folder / "github/grade.sh").string()},
+                {.timeout = 120});
+    CHECK(result()["status"] == "fail");
+    CHECK(result().dump().find("is a symbolic link") != std::string::npos);
     fs::remove_all(folder);
 }

@@ -105,6 +105,11 @@ TEST_CASE("a picture that differs, is no number, is cut off or is none has its v
     CHECK(none["verdict"] == "no_submission");
     CHECK(none["summary"] == "0 of 1 pictures are the same as the reference's");
     CHECK(graded_picture(pictures / "missing.exr")["verdict"] == "no_submission");
+    fs::remove(pictures / "link.exr");
+    fs::create_symlink(references / "02_spheres.exr", pictures / "link.exr");
+    const auto link = graded_picture(pictures / "link.exr");
+    CHECK(link["verdict"] == "no_submission");
+    CHECK(link.dump().find("link.exr is a symbolic link") != std::string::npos);
 
     // An EXR's NaN: the lab writes none, so bytes of the file are changed.
     const auto scenes = read_picture_scenes(references);

@@ -2,6 +2,7 @@
 
 #include "formats.h"
 #include "picture_scenes.h"
+#include "submission.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
@@ -38,7 +39,7 @@ std::vector<PictureScene> scenes_asked_for(const Arguments& arguments) {
 
 // A picture for each scene in a folder, or the one picture of the one scene.
 fs::path picture_of(const PictureScene& scene, const fs::path& picture) {
-    if (!fs::is_directory(picture)) return picture;
+    if (!fs::is_directory(picture) || !fault_of_link(picture).empty()) return picture;
     const auto floats = picture / (scene.name + ".exr");
     return fs::exists(floats) ? floats : picture / (scene.name + ".png");
 }
