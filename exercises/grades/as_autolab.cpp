@@ -28,7 +28,7 @@ std::string as_autolab(const Grade& grade) {
     if (!grade.was_asked()) shown["Build"]["compile"]["hint"] = safe_text(whole_text(grade), longest_message);
     for (const auto& part : grade.parts) {
         nlohmann::ordered_json test{{"passed", part.passed()}};
-        if (!part.passed()) test["hint"] = safe_text(part_text(grade, part), longest_message);
+        if (!part.passed()) test["hint"] = safe_text(part_text_with_whole(grade, part), longest_message);
         shown["Test"][safe_text(part.name, longest_message)] = std::move(test);
     }
     nlohmann::ordered_json scores = nlohmann::ordered_json::object();

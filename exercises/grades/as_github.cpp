@@ -29,8 +29,8 @@ std::string as_github(const Grade& grade) {
                                  {"duration", static_cast<int>(1000 * grade.answer_seconds)}});
     };
     for (const auto& part : grade.parts)
-        add(part.name, part.passed() ? "pass" : "fail", points_number(part.points), part_text(grade, part));
-    if (grade.parts.empty()) add(grade.exercise, internal ? "error" : "fail", 0, grade.summary);
+        add(part.name, part.passed() ? "pass" : "fail", points_number(part.points), part_text_with_whole(grade, part));
+    if (grade.parts.empty()) add(grade.exercise, internal ? "error" : "fail", 0, whole_text(grade));
     return json_text(json);
 }
 

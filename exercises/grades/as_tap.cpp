@@ -39,7 +39,7 @@ std::string as_tap(const Grade& grade) {
         if (part.passed()) continue;
         text += fmt::format("  ---\n  verdict: {}\n  points: {}\n  max_points: {}\n", to_string(grade.outcome),
                             points_text(part.points), points_text(part.most)) +
-                yaml_block("message", part_text(grade, part)) + "  ...\n";
+                yaml_block("message", part_text_with_whole(grade, part)) + "  ...\n";
     }
     if (grade.outcome == Outcome::internal) return text + "Bail out! " + description(grade.summary) + "\n";
     return text + fmt::format("# {} of {} points; {}\n", points_text(grade.points()), points_text(grade.most),

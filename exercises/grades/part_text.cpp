@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace raylab::grading {
@@ -51,6 +52,12 @@ std::string part_text(const Grade& grade, const GradePart& part) {
     const auto text = part.message.empty() ? grade.summary : part.message;
     if (part.passed() || !grade.first_wrong || grade.first_wrong->group != part.name) return text;
     return text + ". The first wrong answer:\n" + wrong_answer_text(*grade.first_wrong);
+}
+
+std::string part_text_with_whole(const Grade& grade, const GradePart& part) {
+    const auto first = std::ranges::find_if_not(grade.parts, &GradePart::passed);
+    if (first == grade.parts.end() || first->name != part.name) return part_text(grade, part);
+    return (part.message.empty() || part.message == grade.summary ? "" : part.message + "\n") + whole_text(grade);
 }
 
 std::string conditions_text(const Grade& grade) {

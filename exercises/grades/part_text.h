@@ -23,6 +23,10 @@ std::string whole_text(const Grade& grade);
 /// What is said beside a part that is not passed: how many cases are right, and the first wrong answer if it is there.
 std::string part_text(const Grade& grade, const GradePart& part);
 
+/// The same, for formats that have no place for the whole submission: beside the first part that is not passed stands
+/// what became of all of it.
+std::string part_text_with_whole(const Grade& grade, const GradePart& part);
+
 /// "seed 7, isolation level 3 (...), compiled in 0.6 s, answered in 0.01 s".
 std::string conditions_text(const Grade& grade);
 

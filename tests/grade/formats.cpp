@@ -65,6 +65,24 @@ TEST_CASE("every outcome in every format is what the format's own schema takes")
     CHECK(checked.succeeded());
 }
 
+TEST_CASE("each format tells why there are no points, and the hint") {
+    for (const auto outcome : {Outcome::does_not_compile, Outcome::refused, Outcome::no_submission, Outcome::crash,
+                               Outcome::timeout, Outcome::wrong}) {
+        auto grade = made(outcome);
+        grade.summary = "what became of it";
+        grade.compiler = "words of the compiler";
+        grade.details = "how it ended in short";
+        grade.hint = "a hint to follow";
+        for (auto& part : grade.parts) part.message = "0 of 40 cases right";
+        for (const auto& format : formats()) {
+            const auto text = format.text_of(grade);
+            INFO(to_string(outcome) << ", " << format.name << "\n" << text);
+            for (const auto& words : {grade.summary, grade.compiler, grade.details, grade.hint})
+                CHECK(text.find(words) != std::string::npos);
+        }
+    }
+}
+
 TEST_CASE("a result is read again as it was written") {
     for (int i = 0; i <= static_cast<int>(Outcome::internal); ++i) {
         const auto text = as_json(made(static_cast<Outcome>(i)));
