@@ -12,15 +12,6 @@ constexpr std::size_t bins = 11;  // tens of per cent, and all
 
 double share_of(const Grade& grade) { return grade.most > 0 ? static_cast<double>(grade.points()) / grade.most : 0; }
 
-// What two submissions share that are wrong in the same way: a hint, or else their answers, or else the failing parts.
-std::string likeness_of(const Grade& grade) {
-    std::string key = to_string(grade.outcome) + "\n";
-    if (!grade.hint_id.empty()) return key + "hint " + grade.hint_id;
-    if (!grade.fingerprint.empty()) return key + "answers " + grade.fingerprint;
-    for (const auto& part : grade.parts) key += part.passed() ? "1" : "0";
-    return key;
-}
-
 std::string shared_by_those_like(const Grade& grade) {
     if (!grade.hint.empty()) return grade.hint;
     if (grade.outcome != Outcome::wrong && grade.outcome != Outcome::nonfinite) return grade.summary;
@@ -28,6 +19,16 @@ std::string shared_by_those_like(const Grade& grade) {
     for (const auto& part : grade.parts)
         if (!part.passed()) parts += (parts.empty() ? "wrong in: " : ", ") + part.name;
     return parts;
+}
+
+// What two submissions share that are wrong in the same way: a hint, or else their answers, or else what is said of
+// them and the failing parts.
+std::string likeness_of(const Grade& grade) {
+    std::string key = to_string(grade.outcome) + "\n";
+    if (!grade.hint_id.empty()) return key + "hint " + grade.hint_id;
+    if (!grade.fingerprint.empty()) return key + "answers " + grade.fingerprint;
+    for (const auto& part : grade.parts) key += part.passed() ? "1" : "0";
+    return key + "\n" + shared_by_those_like(grade);
 }
 
 std::vector<AlikeGroup> alike_groups(const std::vector<const Grade*>& grades) {

@@ -104,6 +104,19 @@ TEST_CASE("submissions are alike by their hint, or else by their answers, and th
     CHECK(summary.internal == 1);
 }
 
+TEST_CASE("submissions that end differently are not alike, whatever parts they fail in") {
+    std::vector<Grade> grades;
+    for (const auto* end : {"killed by signal 11", "killed by signal 8", "killed by signal 11"}) {
+        grades.push_back(made("student " + std::to_string(grades.size()), "02_ray_sphere", 0, Outcome::crash));
+        grades.back().summary = end;
+    }
+    const auto table = class_table({}, grades);
+    REQUIRE(table.assignments[0].alike.size() == 2);
+    CHECK(table.assignments[0].alike[0].shared == "killed by signal 11");
+    CHECK(table.assignments[0].alike[0].students.size() == 2);
+    CHECK(table.assignments[0].alike[1].shared == "killed by signal 8");
+}
+
 TEST_CASE("a name is no formula in a spreadsheet, no element of a page and no end of a field") {
     const std::vector<Grade> grades{made("=1+1,\"x\"", "02_ray_sphere", 10000, Outcome::pass),
                                     made("<script>alert(1)</script>", "02_ray_sphere", 0, Outcome::wrong)};
