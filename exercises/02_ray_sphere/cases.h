@@ -4,6 +4,7 @@
 #include "dice.h"
 #include "whole_numbers.h"
 
+#include <cmath>
 #include <limits>
 
 // The kinds of rays and spheres in the cases that keep a margin from every decision.
@@ -31,9 +32,13 @@ inline Arguments in_front(Dice& dice) {
     return aimed(dice, reach, dice.in(2, 6), 1);
 }
 
+/// From nearby a ray toward a point beside the sphere may still hit it: such draws are made again.
 inline Arguments passing_by(Dice& dice) {
-    const double reach = dice.in(1.1, 3);
-    return aimed(dice, reach, dice.in(2, 6), 1);
+    constexpr double clearance = 1.05;  // radii between the line and the centre
+    for (;;) {
+        const double reach = dice.in(1.1, 3), away = dice.in(2, 6);
+        if (reach * away / std::hypot(reach, away) >= clearance) return aimed(dice, reach, away, 1);
+    }
 }
 
 inline Arguments behind(Dice& dice) {

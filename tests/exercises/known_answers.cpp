@@ -32,6 +32,19 @@ TEST_CASE("the reference passes on every seed") {
         }
 }
 
+TEST_CASE("no ray that passes by the sphere hits it, on any seed") {
+    const auto& spheres = exercise("02");
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        auto cases = spheres.cases(seed);
+        std::erase_if(cases, [](const Case& question) { return question.group != "passing by"; });
+        const auto answers = answers_of(spheres, spheres.reference, cases);
+        for (std::size_t i = 0; i < answers.size(); i += spheres.outputs) {
+            INFO("seed " << seed << ", " << spheres.story(cases[i / spheres.outputs]));
+            CHECK(answers[i] == 0);
+        }
+    }
+}
+
 TEST_CASE("right answers written differently pass on every seed") {
     for (const auto& exercise : exercises_of_this_run()) {
         CHECK(exercise.right.size() >= (exercise.symptoms.empty() ? 3 : 5));
