@@ -70,6 +70,33 @@ TEST_CASE("rays that cost time and change no pixel are found by their trees") {
     CHECK(says(result, "branch expected none, got reflected ray"));
 }
 
+TEST_CASE("a direction that is no number is told as that, and not as the other ray") {
+    const auto refracted = out / "refracts_to_nowhere.cpp";
+    write_file(refracted,
+               "#include \"raylab/tracer/refracted_direction.h\"\n#include <limits>\n"
+               "std::optional<raylab::Vec3d> raylab::refracted_direction(const Vec3d&, const Vec3d&, double, "
+               "double) {\n    return Vec3d(std::numeric_limits<double>::quiet_NaN());\n}\n");
+    const auto traced = out / "traces_to_nowhere.cpp";
+    write_file(traced,
+               "#include \"raylab/tracer/traced_color.h\"\n#include <limits>\n"
+               "raylab::Vec3d raylab::traced_color(const TracedLevel& level) {\n"
+               "    if (!level.nearest) return level.background;\n"
+               "    const auto& [local, kr, kt, mirrored, refracted] = *level.nearest;\n"
+               "    Vec3d color = local;\n"
+               "    if (level.depth >= level.limit) return color;\n"
+               "    const double mirror = kr + (refracted ? 0 : kt);\n"
+               "    if (mirror > 0) color += mirror * level.trace(mirrored, level.depth + 1);\n"
+               "    if (refracted && kt > 0)\n"
+               "        color += kt * level.trace(Vec3d(std::numeric_limits<double>::quiet_NaN()), level.depth + "
+               "1);\n    return color;\n}\n");
+    for (const auto& [exercise, answer] : {std::pair{"07", refracted}, {"07b", traced}}) {
+        const auto result = check(exercise, answer);
+        INFO(result.output << result.errors);
+        CHECK(says(result, "'s transmitted ray:"));
+        CHECK(says(result, ", got (nan, nan, nan)"));
+    }
+}
+
 TEST_CASE("an answer that passes is led nowhere") {
     const auto result = check("07b", RAYLAB_SOURCE "/exercises/07b_trace/right/refracted_first.cpp");
     INFO(result.output << result.errors);

@@ -33,6 +33,8 @@ Vec3d beside(const Vec3d& point, const Vec3d& normal, const Vec3d& direction) {
     return point + normal * (dot(normal, direction) < 0 ? -size : size) * share_of_size;
 }
 
+bool is_number(const Vec3d& v) { return !std::isnan(v.x + v.y + v.z); }
+
 RayOf<double> endless(const Vec3d& origin, const Vec3d& direction) { return {origin, direction, {0, infinity}}; }
 
 Ray as_floats(const RayOf<double>& ray) {
@@ -105,9 +107,7 @@ private:
 
     Color follow(const Branch& branch, std::size_t parent, const TracedLevel& level, const TextbookSurface& from) {
         if (nesting_ > limit_ + too_deep) return {0, 0, 0};
-        const auto& [local, kr, kt, mirrored, refracted] = *level.nearest;
-        const bool transmitted =
-            refracted && glm::length(branch.direction - *refracted) < glm::length(branch.direction - mirrored);
+        const bool transmitted = is_transmitted(branch.direction, *level.nearest, parent);
         const auto ray = endless(beside(from.position, from.normal, branch.direction), branch.direction);
         return color({.kind = transmitted ? RayKind::transmitted : RayKind::reflected,
                       .parent = parent,
@@ -115,6 +115,18 @@ private:
                       .throughput = tree_.nodes[parent].throughput * branch.share,
                       .ray = as_floats(ray)},
                      ray);
+    }
+
+    // The nearer one of the two that the surface has. Of a direction that is no number, which a student's function may
+    // give, no comparison tells: it is the refracted one if that is none, either, or if the mirrored one was followed.
+    bool is_transmitted(const Vec3d& direction, const TracedSurface& surface, std::size_t parent) const {
+        if (!surface.refracted) return false;
+        if (!is_number(*surface.refracted)) return !is_number(direction);
+        if (is_number(direction))
+            return glm::length(direction - *surface.refracted) < glm::length(direction - surface.mirrored);
+        return std::ranges::any_of(tree_.nodes, [parent](const RayNode& node) {
+            return node.parent == parent && node.kind == RayKind::reflected;
+        });
     }
 
     // Branches that the surface has and the level did not ask for, as it should where they would be too deep.
