@@ -236,6 +236,26 @@ TEST_CASE("a function of the library is refused by name") {
     CHECK(says(result, "the file calls raylab::sphere_root("));
 }
 
+TEST_CASE("a chart is drawn of an answer that passes, and of no other: its few questions would praise a wrong one") {
+    const auto chart = [](const fs::path& answer) {
+        return says(check("02", answer, {"--out", (answers / "drawn").string()}), "Chart (`yours`");
+    };
+    CHECK_FALSE(chart(RAYLAB_SOURCE "/exercises/02_ray_sphere/mistakes/far_root.cpp"));
+    CHECK(chart(RAYLAB_SOURCE "/exercises/02_ray_sphere/right/geometric.cpp"));
+}
+
+TEST_CASE("a function that fails only while the picture is drawn is told so, with the place and the way") {
+    auto text = raylab::read_file(RAYLAB_SOURCE "/exercises/02_ray_sphere/right/geometric.cpp");
+    text.insert(text.find("    const Vec3d to_center"),
+                "    static int asked = 0;\n    if (++asked > 2000) __builtin_trap();\n");
+    raylab::write_file(answers / "fails_late.cpp", text);
+    const auto result = check("02", answers / "fails_late.cpp", {"--out", (answers / "drawn").string()});
+    INFO(result.output << result.errors);
+    CHECK(says(result, "PASSED"));
+    CHECK(says(result, "No whole picture: from pixel ("));
+    CHECK(says(result, "the function did not return: killed by signal"));
+}
+
 TEST_CASE("an answer with every case right and too much work does not pass") {
     const auto result = check("10", RAYLAB_SOURCE "/exercises/10_grid_step/mistakes/a_billionth_on.cpp");
     INFO(result.output << result.errors);

@@ -1,10 +1,10 @@
 #include "commands.h"
 #include "lead_home.h"
 #include "practice/ask_quiz.h"
+#include "practice/yours_and_reference.h"
 
 #include "asking.h"
 #include "compiling.h"
-#include "drawing.h"
 #include "hints.h"
 #include "judging.h"
 #include "submission.h"
@@ -15,9 +15,6 @@
 #include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
-#include "raylab/image/compare.h"
-#include "raylab/image/difference_picture.h"
-#include "raylab/image/draw.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/report/json_text.h"
 #include "raylab/report/provenance.h"
@@ -50,26 +47,13 @@ const CommandLine check_command_line{
         {"-o,--out", "DIR", "the folder for pictures and chart", "out/check"},
         {"--json", "FILE", "the verdict as JSON; - is standard output"}}};
 
-// Yours and the reference. Of a picture that is drawn as a whole no difference is shown: another right function has
-// other dots.
-Image beside_each_other(const Picture& picture, const Image& yours, const Image& truth) {
-    if (picture.draw) return side_by_side({with_caption(yours, "yours"), with_caption(truth, "reference")});
-    const Image large = enlarged(yours, 2), large_truth = enlarged(truth, 2);
-    return difference_picture(large, large_truth, compare(large, large_truth));
-}
-
-// Draws the same scene with the student's function and with the reference.
-Image yours_and_reference(const Exercise& exercise, const Workplace& workplace) {
-    const auto cases = cases_of(exercise.picture);
-    const Image yours = drawn(exercise, run(exercise, workplace, inputs_of(cases)).values);
-    return beside_each_other(exercise.picture, yours, drawn(exercise, answers_of(exercise, exercise.reference, cases)));
-}
-
 void draw_pictures(const Exercise& exercise, const Workplace& workplace, const StagedFolder& folder, Outputs& outputs) {
     const auto* const name = "yours_and_reference.png";
-    write_image(yours_and_reference(exercise, workplace), folder.path / name);
-    outputs.say(fmt::format("  Picture ({}): yours,{} the reference: {}\n", exercise.picture.about,
-                            exercise.picture.draw ? "" : " where it differs,", (folder.named / name).string()));
+    const auto [image, missing] = yours_and_reference(exercise, workplace);
+    write_image(image, folder.path / name);
+    outputs.say(fmt::format("  Picture ({}): yours,{} the reference: {}\n{}", exercise.picture.about,
+                            exercise.picture.draw ? "" : " where it differs,", (folder.named / name).string(),
+                            missing));
 }
 
 // The first wrong case, with the answer to it.
@@ -109,7 +93,8 @@ void draw(const Exercise& exercise, const Workplace& workplace, const Verdict& v
           Outputs& outputs) {
     if (exercise.sketch && verdict.first_wrong) draw_case(exercise, *verdict.first_wrong, folder, outputs);
     draw_pictures(exercise, workplace, folder, outputs);
-    if (!exercise.chart.empty()) draw_chart(exercise, workplace, folder, outputs);
+    // The few rays of a chart may all be ones that a wrong function answers, too.
+    if (!exercise.chart.empty() && verdict.passed()) draw_chart(exercise, workplace, folder, outputs);
     if (exercise.traced && !verdict.passed()) outputs.say(lead_home(exercise, workplace, folder));
 }
 
@@ -185,8 +170,11 @@ ExitCode check_command(const std::vector<std::string>& words) {
     flush_standard_output();
     if (const auto json = arguments.text_if_given("--json"))
         write_json(to_json(exercise, verdict, conditions), outputs[*json]);
-    if (const auto preview = arguments.text_if_given("--preview"))
-        write_image(yours_and_reference(exercise, workplace), outputs[*preview]);
+    if (const auto preview = arguments.text_if_given("--preview")) {
+        const auto [image, missing] = yours_and_reference(exercise, workplace);
+        write_image(image, outputs[*preview]);
+        if (!drawn && !missing.empty()) say(missing);
+    }
     if (drawn) outputs.naming_folders([&] { draw(exercise, workplace, verdict, outputs.staged(folder), outputs); });
     outputs.commit();
     return verdict.passed() ? ExitCode::as_it_should_be : ExitCode::negative;
