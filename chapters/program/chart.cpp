@@ -1,12 +1,12 @@
 #include "chapter_programs.h"
 #include "commands.h"
+#include "name_list.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/nearest_name.h"
 #include "raylab/base/outputs.h"
-#include "raylab/base/print.h"
 #include "raylab/base/temporary.h"
 #include "raylab/report/json_text.h"
 
@@ -28,13 +28,13 @@ const CommandLine chart_command_line{
                 {"--quick", "", "fewer queries"},
                 {"--rows", "", "print every measurement, and not one line a method"},
                 {"--seed", "S", "the seed of all random numbers", "1"},
-                {"--json", "FILE", "write only the data, to this file; - is standard output"}}};
+                {"--json", "FILE", "write only the data, or the list, to this file; - is standard output"}}};
 
-std::string list_of_questions(const std::vector<ChapterProgram>& chapters) {
-    std::string text;
+std::vector<ListedName> all_questions(const std::vector<ChapterProgram>& chapters) {
+    std::vector<ListedName> questions;
     for (const auto& chapter : chapters)
-        for (const auto& question : chapter.questions) text += question + "  (chapter " + chapter.folder + ")\n";
-    return text;
+        for (const auto& question : chapter.questions) questions.push_back({question, chapter.folder});
+    return questions;
 }
 
 const ChapterProgram& chapter_that_asks(const std::vector<ChapterProgram>& chapters, const std::string& question) {
@@ -57,13 +57,14 @@ std::vector<fs::path> chart_files(const fs::path& folder, const std::string& que
 ExitCode chart_command(const std::vector<std::string>& words) {
     const auto arguments = parse(chart_command_line, words);
     const auto chapters = listed_chapters();
+    const auto json = arguments.text_if_given("--json");
     if (!arguments.has("QUESTION")) {
-        print_text(list_of_questions(chapters));
+        Outputs outputs({.files = arguments.given({"--json"})});
+        list_names(all_questions(chapters), json, outputs);
         return ExitCode::as_it_should_be;
     }
     const auto question = arguments.text("QUESTION");
     const auto& chapter = chapter_that_asks(chapters, question);
-    const auto json = arguments.text_if_given("--json");
     const fs::path folder = arguments.text("--out");
     Outputs outputs(json ? Outputs::Plan{.files = {*json}} : Outputs::Plan{.files = chart_files(folder, question)});
 

@@ -1,11 +1,11 @@
 #include "chapter_programs.h"
 #include "commands.h"
+#include "name_list.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/nearest_name.h"
 #include "raylab/base/outputs.h"
-#include "raylab/base/print.h"
 #include "raylab/base/read_json.h"
 #include "raylab/base/temporary.h"
 #include "raylab/report/json_text.h"
@@ -32,7 +32,7 @@ const CommandLine stability_command_line{
     .options = {{"--list", "", "print the names of the cases and run nothing"},
                 {"--quick", "", "fewer rays"},
                 {"--seed", "S", "the seed of all random numbers", "1"},
-                {"--json", "FILE", "the outcomes as JSON; - is standard output"}}};
+                {"--json", "FILE", "the outcomes, or the list, as JSON; - is standard output"}}};
 
 void refuse_unknown(const std::vector<ChapterProgram>& chapters, const std::vector<std::string>& wanted) {
     std::vector<std::string> known;
@@ -80,17 +80,19 @@ ExitCode stability_command(const std::vector<std::string>& words) {
     const auto chapters = listed_chapters();
     const auto& wanted = arguments.all("CASE");
     refuse_unknown(chapters, wanted);
+    if (arguments.has("--list")) {
+        std::vector<ListedName> names;
+        for (const auto& chapter : chapters)
+            for (const auto& name : cases_of(chapter, wanted)) names.push_back({name, chapter.folder});
+        list_names(names, json, outputs);
+        return ExitCode::as_it_should_be;
+    }
     auto outcomes = ordered_json::array();
     for (const auto& chapter : chapters) {
         const auto cases = cases_of(chapter, wanted);
         if (cases.empty()) continue;
-        if (arguments.has("--list")) {
-            for (const auto& name : cases) print_text(name + "  (chapter " + chapter.folder + ")\n");
-            continue;
-        }
         for (auto& outcome : outcomes_of(chapter, cases, arguments)) outcomes.push_back(outcome);
     }
-    if (arguments.has("--list")) return ExitCode::as_it_should_be;
 
     if (json) write_json(json_text(outcomes), outputs[*json]);
     const auto good = std::ranges::count_if(outcomes, [](const auto& one) { return one.at("as_expected") == true; });
