@@ -38,24 +38,42 @@ namespace {
 
 // Replaces the radiosities by those with the ambient estimate: for the picture, the tables and the model alike.
 void add_ambient_estimate(SceneRadiosity& solved) {
-    if (solved.solution.unshot.empty())
-        throw Error("expected --ambient-estimate with --solver shooting, found " + solved.solution.solver);
     solved.solution.radiosity = with_ambient_estimate(solved.system, solved.solution.radiosity, solved.solution.unshot);
     solved.vertices = vertex_radiosities(*solved.mesh, solved.solution.radiosity);
 }
 
-Image picture_of(const Arguments& arguments, const Scene& scene, const RadiosityView& view) {
+/// How a solved scene is shown; read before it is solved, which takes time.
+struct Showing {
+    RadiosityShading shading;
+    EyePictureOptions picture;
+    std::optional<double> exposure;
+};
+
+Showing asked_showing(const Arguments& arguments) {
     using Shading = RadiosityShading;
-    const auto shading =
-        one_of<Shading>(arguments, "--show",
-                        {{"patches", Shading::patches}, {"vertices", Shading::vertices}, {"gather", Shading::gather}});
-    const EyePictureOptions options{.samples = {.per_side = static_cast<int>(arguments.integer("--samples", 1, 256))},
-                                    .threads = threads_of(arguments),
-                                    .label = "picture"};
-    return radiosity_picture(view, camera_frame(scene.camera, scene.image, scene.source), shading, options);
+    return {.shading = one_of<Shading>(
+                arguments, "--show",
+                {{"patches", Shading::patches}, {"vertices", Shading::vertices}, {"gather", Shading::gather}}),
+            .picture = {.samples = {.per_side = static_cast<int>(arguments.integer("--samples", 1, 256))},
+                        .threads = threads_of(arguments),
+                        .label = "picture"},
+            .exposure = arguments.has("--exposure") ? std::optional(positive(arguments, "--exposure")) : std::nullopt};
+}
+
+/// A scene, and how it is to be shown.
+struct AskedRadiosity {
+    Scene scene;
+    Showing showing;
+};
+
+void refuse_scene_outputs(const Arguments& arguments) {
+    for (const char* option : {"--output", "--table", "--vertices", "--gltf", "--walk"})
+        if (arguments.has(option))
+            throw Error(fmt::format("expected {} with SCENE, found it with --system, which has no surfaces", option));
 }
 
 ExitCode solve_numbers(const Arguments& arguments, Outputs& outputs) {
+    refuse_scene_outputs(arguments);
     const RadiositySystem system = read_system(arguments.text("--system"), memory_limit(arguments));
     const SolverOptions options = solver_options(arguments);
     const Solution solution = solve(system, solver_named(arguments.text("--solver")), options);
@@ -87,14 +105,13 @@ struct Answer {
     std::string words;
 };
 
-void write(const Answer& answer, const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+void write(const Answer& answer, const Arguments& arguments, const AskedRadiosity& asked, Outputs& outputs) {
+    const auto& [scene, showing] = asked;
     const SolvedScene& solved = answer.solved;
     const auto output = arguments.text_if_given("--output"), json = arguments.text_if_given("--json");
     if (const auto file = arguments.text_if_given("--table")) outputs.write(*file, patch_table(solved));
     if (const auto file = arguments.text_if_given("--vertices")) outputs.write(*file, vertex_table(solved));
-    const auto exposure = [&] {
-        return arguments.has("--exposure") ? positive(arguments, "--exposure") : exposure_for(solved);
-    };
+    const auto exposure = [&] { return showing.exposure ? *showing.exposure : exposure_for(solved); };
     if (const auto file = arguments.text_if_given("--gltf")) outputs.write(*file, radiosity_gltf(solved, exposure()));
     if (const auto file = arguments.text_if_given("--walk"))
         outputs.write(*file, walk_through_page(solved, scene.camera,
@@ -104,7 +121,9 @@ void write(const Answer& answer, const Arguments& arguments, const Scene& scene,
         outputs.say(answer.words);
         for (const std::string& missing : beyond_radiosity(scene)) outputs.say("not shown: " + missing + "\n");
     }
-    if (output) write_image(picture_of(arguments, scene, answer.view), outputs[*output]);
+    if (!output) return;
+    const CameraFrame frame = camera_frame(scene.camera, scene.image, scene.source);
+    write_image(radiosity_picture(answer.view, frame, showing.shading, showing.picture), outputs[*output]);
 }
 
 Answer answer_of(const SceneRadiosity& solved, const PictureError& error, const SceneRadiosityOptions& options) {
@@ -132,42 +151,45 @@ struct MatrixOptions {
     SceneRadiosityOptions options;  // they point to the cache
 };
 
-void solve_with_matrix(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+void solve_with_matrix(const Arguments& arguments, const AskedRadiosity& asked, Outputs& outputs) {
     const MatrixOptions matrix(arguments);
     const bool adapts = arguments.text("--mesh") == "adaptive";
     if (!adapts && arguments.has("--tolerance"))
         throw Error("expected --tolerance with --mesh adaptive or hierarchical, found it with uniform");
-    SceneRadiosity solved = adapts ? adaptive_radiosity(scene, matrix.options, tolerance_or(0.1, arguments))
-                                   : scene_radiosity(scene, matrix.options);
+    if (const auto& solver = arguments.text("--solver"); arguments.has("--ambient-estimate") && solver != "shooting")
+        throw Error("expected --ambient-estimate with --solver shooting, found " + solver);
+    SceneRadiosity solved = adapts ? adaptive_radiosity(asked.scene, matrix.options, tolerance_or(0.1, arguments))
+                                   : scene_radiosity(asked.scene, matrix.options);
     if (arguments.has("--ambient-estimate")) add_ambient_estimate(solved);
     const PictureError error = picture_error(solved.view(), threads_of(arguments));
-    write(answer_of(solved, error, matrix.options), arguments, scene, outputs);
+    write(answer_of(solved, error, matrix.options), arguments, asked, outputs);
 }
 
-void solve_with_hierarchy(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+void solve_with_hierarchy(const Arguments& arguments, const AskedRadiosity& asked, Outputs& outputs) {
     refuse_matrix_options(arguments);
     std::optional<RadiosityCache> cache;
     SceneHierarchyOptions options = hierarchy_options(arguments);
     if (const auto folder = arguments.text_if_given("--cache")) options.cache = &cache.emplace(*folder);
-    const SceneHierarchy solved = scene_hierarchy(scene, options);
+    const SceneHierarchy solved = scene_hierarchy(asked.scene, options);
     const PictureError error = picture_error(solved.view(), threads_of(arguments));
-    write(answer_of(solved, error, options.cache), arguments, scene, outputs);
+    write(answer_of(solved, error, options.cache), arguments, asked, outputs);
 }
 
-void solve_within_error(const Arguments& arguments, const Scene& scene, Outputs& outputs) {
+void solve_within_error(const Arguments& arguments, const AskedRadiosity& asked, Outputs& outputs) {
     for (const char* option : {"--edge", "--tolerance", "--ambient-estimate"})
         if (arguments.has(option))
             throw Error(fmt::format("expected {} without --error, which chooses the mesh, found both", option));
     const MatrixOptions matrix(arguments);
     SceneHierarchyOptions of_links = hierarchy_options(arguments);
     of_links.cache = matrix.options.cache;
-    const RadiosityWithin within = radiosity_within(scene, positive(arguments, "--error"), matrix.options, of_links);
+    const RadiosityWithin within =
+        radiosity_within(asked.scene, positive(arguments, "--error"), matrix.options, of_links);
     const auto* equal = std::get_if<SceneRadiosity>(&within.solved);
     Answer answer = equal ? answer_of(*equal, within.error, matrix.options)
                           : answer_of(std::get<SceneHierarchy>(within.solved), within.error, of_links.cache);
     answer.json["attempts"] = attempts_json(within);
     answer.words += attempts_words(within);
-    write(answer, arguments, scene, outputs);
+    write(answer, arguments, asked, outputs);
 }
 
 // What an interrupt says.
@@ -190,12 +212,13 @@ ExitCode radiosity_command(const std::vector<std::string>& words) {
     if (arguments.has("--system")) return solve_numbers(arguments, outputs);
     if (const auto output = arguments.text_if_given("--output")) check_picture_name(*output);
 
-    const Scene scene = asked_diffuse_scene(arguments, outputs);
+    const Showing showing = asked_showing(arguments);
+    const AskedRadiosity asked{asked_diffuse_scene(arguments, outputs), showing};
     const AtInterrupt tells([kept = what_is_kept(arguments)] { std::fputs(kept.c_str(), stderr); });
     const auto by_mesh = one_of<decltype(&solve_with_matrix)>(
         arguments, "--mesh",
         {{"uniform", solve_with_matrix}, {"adaptive", solve_with_matrix}, {"hierarchical", solve_with_hierarchy}});
-    (arguments.has("--error") ? solve_within_error : by_mesh)(arguments, scene, outputs);
+    (arguments.has("--error") ? solve_within_error : by_mesh)(arguments, asked, outputs);
     outputs.commit();
     return ExitCode::as_it_should_be;
 }

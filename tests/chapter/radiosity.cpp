@@ -1,5 +1,6 @@
 #include "catch.h"
 
+#include "raylab/base/file.h"
 #include "raylab/base/process.h"
 #include "raylab/base/temporary.h"
 
@@ -91,4 +92,34 @@ TEST_CASE("raylab radiosity refuses options that contradict each other") {
     check_refused({"--error", "0.1", "--edge", "0.1"}, "expected --edge without --error");
     check_refused({"--error", "0"}, "expected a number over 0 for --error");
     check_refused({"--tolerance", "0.1"}, "expected --tolerance with --mesh adaptive or hierarchical");
+}
+
+TEST_CASE("raylab radiosity --system refuses what only a scene has") {
+    const ScratchFolder folder;
+    const auto system = folder.path() / "system.json";
+    write_file(system, R"({"area": [1], "emission": [[1, 1, 1]], "reflectance": [[0, 0, 0]], "F": [[0]]})");
+    const auto solved = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"radiosity", "--system", system.string()});
+        return run_process(fs::path(RAYLAB_BUILD) / "raylab", words, {.timeout = 60});
+    };
+    CHECK(solved({}).output == "1 1 1\n");
+    for (const std::string option : {"--output", "--table", "--vertices", "--gltf", "--walk"}) {
+        const auto result = solved({option, (folder.path() / "out.png").string()});
+        CHECK(result.code == 2);
+        CHECK_THAT(result.errors, Catch::Contains("expected " + option + " with SCENE, found it with --system"));
+        CHECK(std::ranges::count(result.errors, '\n') == 1);
+    }
+}
+
+TEST_CASE("raylab radiosity refuses a bad option of its outputs before it solves") {
+    // Solving so many patches takes minutes.
+    const auto refused = [](std::vector<std::string> words, const std::string& fragment) {
+        const ScratchFolder folder;
+        words.insert(words.end(), {"--patches", "20000", "-o", (folder.path() / "x.png").string()});
+        check_refused(words, fragment);
+    };
+    refused({"--samples", "0"}, "expected --samples from 1 to 256, found 0");
+    refused({"--show", "all"}, "expected --show to be one of gather, patches, vertices, found \"all\"");
+    refused({"--exposure", "0"}, "expected a number over 0 for --exposure, found 0");
+    refused({"--ambient-estimate"}, "expected --ambient-estimate with --solver shooting, found auto");
 }
