@@ -106,7 +106,8 @@ CommandLine with_picture_options(CommandLine command_line) {
           "lens, motion, gloss, roughness or emission spreads rays)"},
          {"--samples", "N", "rays for each pixel, or NxN: a jittered grid (default: 1; 16 where rays are spread)"},
          {"--depth", "N",
-          "the greatest depth of the ray tree; the eye ray has depth 1 (default: what `raylab needs` says)"},
+          "the greatest depth of the ray tree; the eye ray has depth 1 (default: what `raylab needs` says; any where rays are "
+          "spread)"},
          {"--threshold", "SHARE",
           "a ray that can add no more than this share to the pixel is not followed (default: 1/256, with --depth 0)"},
          {"--fresnel", "", "transmitting surfaces divide light by the angle (Fresnel), not by kr and kt"},

@@ -19,4 +19,6 @@ nlohmann::ordered_json to_json(const RayCounts& rays, const Traversal& traversal
 
 std::uint64_t all_cast(const RayCounts& rays) { return rays.primary.cast + rays.shadow.cast + rays.secondary.cast; }
 
+double rate(std::uint64_t rays, double seconds) { return seconds > 0 ? static_cast<double>(rays) / seconds : 0; }
+
 }  // namespace raylab

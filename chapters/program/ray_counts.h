@@ -14,4 +14,7 @@ nlohmann::ordered_json to_json(const RayCounts& rays, const Traversal& traversal
 /// All rays of all kinds.
 std::uint64_t all_cast(const RayCounts& rays);
 
+/// Rays a second; 0 where none was cast, which takes no time.
+double rate(std::uint64_t rays, double seconds);
+
 }  // namespace raylab

@@ -50,8 +50,7 @@ std::string summary(const WhittedPicture& picture) {
     const auto& rays = picture.rays;
     return line("primary", rays.primary, "hit") + line("shadow", rays.shadow, "blocked") +
            line("secondary", rays.secondary, "hit") +
-           fmt::format("{:.3g} s: {:.4g} rays a second\n", picture.seconds,
-                       static_cast<double>(all_cast(rays)) / picture.seconds);
+           fmt::format("{:.3g} s: {:.4g} rays a second\n", picture.seconds, rate(all_cast(rays), picture.seconds));
 }
 
 }  // namespace

@@ -28,6 +28,13 @@ SampleRanges sample_ranges(const std::string& words, const std::filesystem::path
     return ranges;
 }
 
+int next_stop(const SampleRange& all, int done) {
+    constexpr int most_stops = 32;
+    const int count = all.last - all.first;
+    const int step = std::max(1, (count + most_stops - 1) / most_stops);
+    return std::min(all.first + (done / step + 1) * step, all.last);
+}
+
 std::optional<SampleRanges> joined(SampleRanges a, const SampleRanges& b) {
     a.insert(a.end(), b.begin(), b.end());
     std::ranges::sort(a, {}, &SampleRange::first);

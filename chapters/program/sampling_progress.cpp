@@ -19,7 +19,6 @@ namespace raylab {
 namespace {
 
 constexpr int fewest_randomisations = 8;
-constexpr int most_stops = 32;  // where a picture of known samples may be stored
 
 using Clock = std::chrono::steady_clock;
 
@@ -29,17 +28,6 @@ double seconds_since(Clock::time_point begun) { return std::chrono::duration<dou
 
 SamplingProgress::SamplingProgress(const AskedTransport& asked, std::string identity, ImageSize size)
     : asked_(asked), identity_(std::move(identity)), image_(size.width, size.height) {}
-
-int SamplingProgress::first() const { return asked_.part.range(asked_.sampler.count).first; }
-
-int SamplingProgress::last() const { return asked_.part.range(asked_.sampler.count).last; }
-
-// The stops depend on the number of all samples alone, so that a picture that was interrupted and one that was not
-// round their sums at the same places.
-int SamplingProgress::next_stop() const {
-    const int step = std::max(1, (last() - first()) / most_stops);
-    return std::min(first() + (done_ / step + 1) * step, last());
-}
 
 void SamplingProgress::go_on_from(const SampledFile& stored, const std::filesystem::path& file) {
     const auto text = [&](const char* name) {
@@ -53,6 +41,9 @@ void SamplingProgress::go_on_from(const SampledFile& stored, const std::filesyst
     const int end = ranges.empty() ? begin : ranges.front().last;
     if (ranges.size() > 1 || (!ranges.empty() && ranges.front().first != begin) || (!is_open_ended() && end > last()))
         throw Error({file.string()}, fmt::format("the first samples from {} on", begin), text(samples_text));
+    if (stored.image.width() != image_.width() || stored.image.height() != image_.height())
+        throw Error({file.string()}, fmt::format("a picture of {} x {} pixels", image_.width(), image_.height()),
+                    fmt::format("{} x {}", stored.image.width(), stored.image.height()));
     image_ = stored.image;
     done_ = end - begin;
 }
@@ -66,7 +57,7 @@ public:
     // Some more samples are done; storing takes its time, too.
     void went_on() {
         done_ = progress_.done_;
-        if (seconds_since(last_) < 2) return;
+        if (!storing_.store || seconds_since(last_) < 2) return;
         storing_.store();
         stored_ = progress_.done_;
         last_ = Clock::now();
@@ -114,7 +105,7 @@ TransportCounts SamplingProgress::add_randomisation(const TransportPicture& pict
 }
 
 TransportCounts SamplingProgress::add_samples(const TransportPicture& picture, int threads) {
-    const SampleRange next{first() + done_, next_stop()};
+    const SampleRange next{first() + done_, next_stop(range(), done_)};
     done_ = next.last - first();
     return picture.add(image_, asked_.sampler, next, Summand::sample, threads,
                        fmt::format("samples to {} of {}", done_, last() - first()));

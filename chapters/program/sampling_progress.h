@@ -21,8 +21,8 @@ public:
 
     /// Where a picture is stored on its way, and what is said of that if it is interrupted.
     struct Storing {
-        std::function<void()> store;
-        std::string go_on;  // "; --resume goes on with them"
+        std::function<void()> store;  // none: it is stored when it is complete
+        std::string go_on;            // "; --resume goes on with them"
     };
 
     /// Samples until the end that was asked for; stores now and then.
@@ -45,9 +45,9 @@ private:
     TransportCounts add_randomisation(const TransportPicture& picture, int threads);
     TransportCounts add_samples(const TransportPicture& picture, int threads);
     bool is_open_ended() const { return asked_.end.error || asked_.end.seconds; }
-    int first() const;  // of this part's samples
-    int last() const;
-    int next_stop() const;
+    SampleRange range() const { return asked_.part.range(asked_.sampler.count); }  // this part's samples
+    int first() const { return range().first; }
+    int last() const { return range().last; }
 
     AskedTransport asked_;
     std::string identity_;

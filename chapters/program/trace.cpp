@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "memory_words.h"
+#include "ray_counts.h"
 
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/command_line.h"
@@ -33,10 +34,6 @@ const CommandLine trace_command_line = with_memory_option(
                  {"--threads", "N", "the number of threads (default: all cores)"},
                  {"--json", "FILE", "the measurements as JSON; - is standard output"}}});
 
-double rays_per_second(const TraceResult& result) {
-    return result.seconds > 0 ? static_cast<double>(result.hits.size()) / result.seconds : 0;
-}
-
 std::size_t hit_count(const TraceResult& result) {
     return static_cast<std::size_t>(
         std::ranges::count_if(result.hits, [](const auto& hit) { return hit.triangle >= 0; }));
@@ -50,7 +47,7 @@ nlohmann::ordered_json to_json(const TraceResult& result, std::size_t triangles)
             {"rays", result.hits.size()},
             {"hits", hit_count(result)},
             {"seconds", result.seconds},
-            {"rays_per_second", rays_per_second(result)},
+            {"rays_per_second", rate(result.hits.size(), result.seconds)},
             {"threads", result.threads},
             {"box_tests", result.counts.box_tests},
             {"steps", result.counts.steps},
@@ -66,7 +63,7 @@ std::string summary(const TraceResult& result, std::size_t triangles) {
                        triangles, result.accelerator, result.build_seconds,
                        static_cast<double>(result.bytes) / static_cast<double>(triangles)) +
            fmt::format("{} rays, {} hits: {:.3g} s on {} threads, {:.4g} rays a second\n", rays, hit_count(result),
-                       result.seconds, result.threads, rays_per_second(result)) +
+                       result.seconds, result.threads, rate(result.hits.size(), result.seconds)) +
            fmt::format("a ray: {:.1f} box tests, {:.1f} triangle tests, {:.2g} exact decisions\n",
                        each * static_cast<double>(result.counts.box_tests),
                        each * static_cast<double>(result.counts.primitive_tests),

@@ -35,8 +35,7 @@ nlohmann::ordered_json to_json(const AskedScene& asked, const SampledImage& imag
 std::string summary(const TransportCounts& counts) {
     const auto& rays = counts.rays;
     return fmt::format("{} eye rays, {} shadow rays, {} others in {:.3g} s: {:.4g} rays a second\n", rays.primary.cast,
-                       rays.shadow.cast, rays.secondary.cast, counts.seconds,
-                       static_cast<double>(all_cast(rays)) / counts.seconds);
+                       rays.shadow.cast, rays.secondary.cast, counts.seconds, rate(all_cast(rays), counts.seconds));
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -68,7 +67,6 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 
     const auto store = [&] {
-        if (!output) return;
         if (std::filesystem::path(*output).extension() == ".exr")
             write_sampled({progress.image(), progress.texts(joined(words))}, outputs[*output]);
         else
@@ -77,10 +75,12 @@ ExitCode render_transport(const Arguments& arguments, const AskedScene& asked, c
     };
     const bool is_adaptive = how.spending == AskedTransport::Spending::adaptive;
     const bool keeps_sums = output && std::filesystem::path(*output).extension() == ".exr";
-    const SamplingProgress::Storing storing{store, keeps_sums && !is_adaptive ? "; --resume goes on with them" : ""};
+    const bool on_the_way = output && outputs.replaces(*output);
+    const SamplingProgress::Storing storing{on_the_way ? std::function<void()>(store) : nullptr,
+                                            keeps_sums && !is_adaptive ? "; --resume goes on with them" : ""};
     const TransportCounts counts = is_adaptive ? progress.run_adaptively(picture, threads_of(arguments), storing)
                                                : progress.run(picture, threads_of(arguments), storing);
-    store();
+    if (output) store();
 
     const double error = progress.image().relative_error();
     if (json) write_json(json_text(to_json(asked, progress.image(), counts, error, build_seconds)), outputs[*json]);

@@ -174,17 +174,26 @@ void refuse_sampling_end_words(const Arguments& arguments) {
     refuse(arguments, {"--error", "--time", "--adaptive", "--part", "--resume"});
 }
 
+namespace {
+
+std::string depth_words(const AskedTransport& asked) {
+    const int depth = asked.options.depth;
+    return depth == TransportOptions{}.depth ? "any depth" : fmt::format("depth {}", depth);
+}
+
+}  // namespace
+
 std::string identity(const AskedTransport& asked, const Scene& scene) {
     const bool open_end = asked.end.error || asked.end.seconds;
     const bool is_adaptive = asked.spending == AskedTransport::Spending::adaptive;
     return fmt::format(
-        "scene {:016x}, {} x {} pixels, {}, {} {} {}, seed {}, {}, depth {}, {}, offset {}", bits_of(scene),
+        "scene {:016x}, {} x {} pixels, {}, {} {} {}, seed {}, {}, {}, {}, offset {}", bits_of(scene),
         scene.image.width, scene.image.height, asked.options.followed == Followed::all ? "path" : "distributed",
         open_end      ? "randomisations of"
         : is_adaptive ? "adaptive samples"
                       : "samples",
         asked.sampler.count, to_string(asked.sampler.kind), asked.sampler.seed, to_string(asked.filter),
-        asked.options.depth, asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt", asked.offset);
+        depth_words(asked), asked.options.shares == FacetShares::fresnel ? "fresnel" : "kr and kt", asked.offset);
 }
 
 }  // namespace raylab

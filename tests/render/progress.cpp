@@ -2,6 +2,7 @@
 #include "render/program.h"
 
 #include "raylab/base/file.h"
+#include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_files/sampled_files.h"
 
 #include <fmt/format.h>
@@ -152,4 +153,38 @@ TEST_CASE("the file says which picture it is: seed, command, samples, and the va
     CHECK(file.texts.at("raylab_picture").find("halton") != std::string::npos);
     CHECK(file.texts.at("raylab_command").starts_with("raylab render "));
     CHECK(file.image.variance_of_mean(12, 12) > 0);
+}
+
+TEST_CASE("through a FIFO goes the finished picture alone, whose reader ends with the first writer") {
+    const auto fifo = written("fifo.png"), got = written("got.png");
+    std::filesystem::remove(fifo);
+    // Longer than the two seconds after which a picture that replaces a file is stored for the first time.
+    const std::string command = "mkfifo " + fifo.string() + "; cat " + fifo.string() + " > " + got.string() +
+                                " & exec timeout 30 " RAYLAB_BUILD "/raylab render " + spread_scene() + " -o " +
+                                fifo.string() + " --time 4s --threads 1";
+    const ProcessResult result = run_process("/bin/sh", {"-c", command}, {.timeout = 60});
+    INFO(result.errors);
+    CHECK(result.code == 0);
+    CHECK(read_image(got).width() == 24);
+}
+
+TEST_CASE("an interrupt says that nothing is stored where a picture is only counted") {
+    const std::string command = "timeout -s TERM 4 " RAYLAB_BUILD "/raylab render " + spread_scene() +
+                                " --json - --time 60s --threads 1; exit 0";
+    CHECK_THAT(run_process("/bin/sh", {"-c", command}, {.timeout = 60}).errors, Catch::Contains("; none is stored\n"));
+}
+
+TEST_CASE("a finished picture that is resumed casts no rays, and says so in numbers") {
+    drawn("finished.exr", {"--samples", "4"});
+    const auto again =
+        ran({"render", spread_scene(), "-o", written("finished.exr").string(), "--samples", "4", "--resume"});
+    CHECK_THAT(again.output, Catch::StartsWith("0 eye rays, 0 shadow rays, 0 others in 0 s: 0 rays a second\n"));
+}
+
+TEST_CASE("a picture whose rays end at no depth says \"any depth\", one whose rays do says which") {
+    CHECK_THAT(read_sampled(drawn("any_depth.exr", {"--samples", "2"})).texts.at("raylab_picture"),
+               Catch::Contains(", any depth, "));
+    CHECK_THAT(read_sampled(drawn("depth.exr", {"--samples", "2", "--depth", "3"})).texts.at("raylab_picture"),
+               Catch::Contains(", depth 3, "));
+    CHECK_THAT(ran({"render", "--help"}).output, Catch::Contains("any where rays are spread"));
 }

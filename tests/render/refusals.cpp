@@ -2,6 +2,7 @@
 #include "render/program.h"
 
 #include "raylab/base/file.h"
+#include "raylab/image/picture_files/sampled_files.h"
 
 using namespace raylab;
 using namespace raylab::test;
@@ -111,4 +112,33 @@ TEST_CASE("--resume refuses the picture of another seed, and leaves it as it was
     check_refused(ran({"render", spread_scene(), "-o", file.string(), "--samples", "4", "--seed", "2", "--resume"}),
                   "samples of this picture");
     CHECK(read_file(file) == before);
+}
+
+TEST_CASE("--resume refuses sums of another size, whatever their file says of itself") {
+    const auto file = drawn("cut.exr", {"--samples", "4"});
+    write_sampled({SampledImage(23, 16), read_sampled(file).texts}, file);
+    check_refused(ran({"render", spread_scene(), "-o", file.string(), "--samples", "4", "--resume"}),
+                  "cut.exr: expected a picture of 24 x 16 pixels, found 23 x 16");
+}
+
+TEST_CASE("merge names the file that is no part of a picture, the first as well as the second") {
+    const auto part = drawn("good.exr", {"--samples", "8", "--part", "1/2"}), bare = written("bare.exr"),
+               other = drawn("other.exr", {"--samples", "8", "--part", "2/2"});
+    write_sampled({read_sampled(part).image, {}}, bare);
+    const auto output = written("refused.exr").string();
+    for (const std::vector<std::string>& files :
+         {std::vector{bare.string(), other.string()}, {other.string(), bare.string()}, {bare.string()}}) {
+        std::vector<std::string> words{"merge", "-o", output};
+        words.insert(words.end(), files.begin(), files.end());
+        check_refused(ran(words), "bare.exr: expected a part of a picture, found no raylab_picture");
+    }
+}
+
+TEST_CASE("merge keeps two pictures in memory, which together need no more than --memory") {
+    const auto part = [](const std::string& number) {
+        return drawn("large_" + number + ".exr", {"--samples", "2", "--size", "256x256", "--part", number + "/2"});
+    };
+    const auto first = part("1").string(), second = part("2").string(), output = written("large.exr").string();
+    // 2.5 MiB, and 10.5 to read another.
+    check_refused(ran({"merge", first, second, "-o", output, "--memory", "12M"}), "large_2.exr: expected at most ");
 }

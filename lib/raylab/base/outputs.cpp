@@ -109,6 +109,8 @@ void Outputs::refuse_collision(const OutputPlace& place) const {
             throw Error({place.named.string()}, "a place of its own", "that of the folder " + folder.named.string());
 }
 
+bool Outputs::replaces(const fs::path& file) const { return planned_in(files_, file).place.way == Way::replace; }
+
 void Outputs::write(const fs::path& file, std::string_view bytes) {
     if (auto& output = planned_in(files_, file); output.place.way == Way::through)
         output.bytes = output.bytes.value_or("") + std::string(bytes);  // one pipe may be named twice

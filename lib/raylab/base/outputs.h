@@ -44,6 +44,9 @@ public:
     /// One of the planned files, for a writer.
     OutputFile operator[](const std::filesystem::path& file) { return {file, *this}; }
 
+    /// Whether each commit() replaces this file. Where it does not, as in a FIFO, one commit's bytes follow another's.
+    bool replaces(const std::filesystem::path& file) const;
+
     void write(const std::filesystem::path& file, std::string_view bytes);
 
     /// `write` fills a temporary file with the file's extension. An Error that it throws names the file.
