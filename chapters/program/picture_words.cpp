@@ -93,10 +93,6 @@ ImageSize size_from_words(const std::string& words) {
     return {(*size)[0], (*size)[1]};
 }
 
-int threads_of(const Arguments& arguments) {
-    return arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0;
-}
-
 CommandLine with_picture_options(CommandLine command_line) {
     command_line.options.insert(
         command_line.options.end(),

@@ -30,9 +30,6 @@ struct AskedPicture {
 /// Reads --size: "640x480". It throws an Error for anything else.
 ImageSize size_from_words(const std::string& words);
 
-/// The --threads of a command, from 1; 0 where absent: all cores.
-int threads_of(const Arguments& arguments);
-
 CommandLine with_picture_options(CommandLine command_line);
 
 /// A scene as the command line asks for it, with the model that draws it: never `automatic`.

@@ -5,6 +5,7 @@
 #include "radiosity_words.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/interrupt.h"
 #include "raylab/base/outputs.h"

@@ -3,6 +3,8 @@
 #include "memory_words.h"
 #include "picture_words.h"
 
+#include "raylab/base/common_options.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -51,7 +53,7 @@ const CommandLine command_line_of_radiosity = with_memory_option(
          {"--samples", "N", "N x N rays a pixel", "3"},
          {"--exposure", "X", "glTF, walk: colours are radiance times X (default: a twentieth of the area is white)"},
          {"--cache", "DIR", "keep form factors, links and solution there, and reuse what is still true"},
-         {"--threads", "N", "the number of threads (default: all cores)"}}});
+         threads_option()}});
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include "transport_words.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/printable.h"
@@ -26,7 +27,7 @@ const CommandLine render_command_line = with_sampling_end_options(with_sampler_o
      .about = "Draws a scene (.toml or .nff): by Whitted's model, by distributed rays, or by paths.",
      .positionals = {{"SCENE", "the scene"}},
      .options = {{"-o,--output", "IMAGE", "the picture to write: .exr (linear floats) or .png"},
-                 {"--threads", "N", "the number of threads (default: all cores)"},
+                 threads_option(),
                  {"--json", "FILE", "rays cast and hit, tests, seconds as JSON; - is standard output"}}})));
 
 nlohmann::ordered_json to_json(const WhittedPicture& picture, const WhittedOptions& options, double build_seconds) {

@@ -3,6 +3,7 @@
 #include "name_list.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/nearest_name.h"
 #include "raylab/base/outputs.h"
@@ -14,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace raylab {
 
@@ -74,7 +74,7 @@ ordered_json outcomes_of(const ChapterProgram& chapter, const std::vector<std::s
 ExitCode stability_command(const std::vector<std::string>& words) {
     if (!words.empty() && words[0] == "accelerators") return stability_accelerators({words.begin() + 1, words.end()});
     const auto arguments = parse(stability_command_line, words);
-    arguments.integer("--seed", 0, std::numeric_limits<long long>::max());  // refused here once, not by each chapter
+    seed_if_given(arguments);  // refused here once, not by each chapter
     const auto json = arguments.text_if_given("--json");
     Outputs outputs({.files = arguments.given({"--json"})});
     const auto chapters = listed_chapters();

@@ -2,6 +2,7 @@
 #include "retired_names.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/printable.h"
@@ -35,7 +36,7 @@ const CommandLine stability_accelerators_command_line{
         {"--rays", "N", "the number of rays for every structure; 0: until a difference is found", "100000"},
         {"--structure", "NAME", "test only this one; may be repeated: " + accelerator_list(), "", Option::Repeat::all},
         {"--seed", "S", "the seed of all random numbers", "1"},
-        {"--threads", "N", "the number of threads; 0: all cores", "0"},
+        threads_option(),
         {"--out", "DIR", "the folder for differences", "out/differences"},
         {"--replay", "FILE", "repeat only the case of such a file"},
         {"--json", "FILE", "the results as JSON; - is standard output"}}};
@@ -147,8 +148,8 @@ ExitCode stability_accelerators(const std::vector<std::string>& words) {
     DifferenceSearch search{.structures = asked_structures(arguments),
                             .scenes = adversarial::every_scene_kind(),
                             .rays = wanted > 0 ? wanted : a_round,
-                            .seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, largest)),
-                            .threads = static_cast<int>(arguments.integer("--threads", 0, 1024)),
+                            .seed = *seed_if_given(arguments),
+                            .threads = threads_of(arguments),
                             .label = "asking"};
     const auto json = arguments.text_if_given("--json");
     const fs::path folder = arguments.text("--out");

@@ -3,6 +3,7 @@
 #include "course/mistakes_page.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
@@ -20,7 +21,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace raylab {
 
@@ -33,7 +33,7 @@ const CommandLine tour_command_line{
     .about = "Runs every chapter and writes the lab book: DIR/index.html, to be read in any browser.",
     .options = {{"--out", "DIR", "the lab book's folder", "out"},
                 {"--quick", "", "fewer samples, smaller pictures: under a minute"},
-                {"--threads", "N", "the number of threads; 0: all cores", "0"},
+                threads_option(),
                 {"--seed", "S", "the seed of all random numbers", "1"},
                 {"--json", "FILE", "the result of each chapter as JSON; - is standard output"}}};
 
@@ -82,7 +82,7 @@ Image cover(const Arguments& arguments) {
     const auto accelerator = make_accelerator("auto", scene);
     const TransportPicture picture(scene, *accelerator, frame, {.shares = FacetShares::fresnel});
     SampledImage image(size.width, size.height);
-    picture.add_adaptively(image, sampler, static_cast<int>(arguments.integer("--threads", 0, 1024)), "cover");
+    picture.add_adaptively(image, sampler, threads_of(arguments), "cover");
     return image.mean();
 }
 
@@ -126,8 +126,8 @@ ExitCode tour_command(const std::vector<std::string>& words) {
         flush_standard_output();
     };
     // Refused here once, not by each chapter.
-    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, std::numeric_limits<long long>::max()));
-    const auto threads = static_cast<int>(arguments.integer("--threads", 0, 1024));
+    const auto seed = *seed_if_given(arguments);
+    const auto threads = threads_of(arguments);
     const fs::path folder = arguments.text("--out");
     auto written = arguments.given({"--json"});
     for (const auto* name : book_file_names) written.push_back(folder / name);

@@ -4,6 +4,7 @@
 
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
 #include "raylab/report/json_text.h"
@@ -31,7 +32,7 @@ const CommandLine trace_command_line = with_memory_option(
                  {"-o,--output", "HITS", "the file for the hits (required)"},
                  {"--accelerator", "NAME", "the structure that finds them: " + accelerator_list(), "auto"},
                  {"--any", "", "tell only whether there is a hit: 0 or -1, and t = 0"},
-                 {"--threads", "N", "the number of threads (default: all cores)"},
+                 threads_option(),
                  {"--json", "FILE", "the measurements as JSON; - is standard output"}}});
 
 std::size_t hit_count(const TraceResult& result) {
@@ -75,10 +76,9 @@ std::string summary(const TraceResult& result, std::size_t triangles) {
 ExitCode trace_command(const std::vector<std::string>& words) {
     const Arguments arguments = parse(trace_command_line, words);
     const auto output = arguments.text("--output"), rays_file = arguments.text("--rays");
-    const TraceOptions options{
-        .accelerator = arguments.text("--accelerator"),
-        .question = arguments.has("--any") ? RayQuestion::any : RayQuestion::nearest,
-        .threads = arguments.has("--threads") ? static_cast<int>(arguments.integer("--threads", 1, 1024)) : 0};
+    const TraceOptions options{.accelerator = arguments.text("--accelerator"),
+                               .question = arguments.has("--any") ? RayQuestion::any : RayQuestion::nearest,
+                               .threads = threads_of(arguments)};
     Outputs outputs({.files = arguments.given({"--output", "--json"}), .inputs = arguments.given({"MESH", "--rays"})});
     const MemoryLimit limit = memory_limit(arguments);
     const auto mesh = std::make_shared<const Mesh>(read_mesh(arguments.text("MESH"), limit));

@@ -2,6 +2,7 @@
 
 #include "picture_words.h"
 
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/sampling/random.h"
@@ -132,8 +133,7 @@ AskedTransport asked_sampler(const Arguments& arguments, const Scene& scene) {
     AskedTransport asked;
     asked.filter = asked_filter(arguments);
     if (arguments.has("--sampler")) asked.sampler.kind = sampler_kind(arguments.text("--sampler"));
-    if (arguments.has("--seed"))
-        asked.sampler.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, (1LL << 53)));
+    if (const auto seed = seed_if_given(arguments)) asked.sampler.seed = *seed;
     asked.sampler.count = asked_samples(arguments, samples_of_each);
     if (arguments.has("--depth")) asked.options.depth = static_cast<int>(arguments.integer("--depth", 1, 1'000'000));
     if (arguments.has("--fresnel")) asked.options.shares = FacetShares::fresnel;

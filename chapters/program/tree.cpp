@@ -6,6 +6,7 @@
 #include "tree_difference.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/printable.h"

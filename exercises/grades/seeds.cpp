@@ -2,6 +2,7 @@
 
 #include "sha256.h"
 
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 

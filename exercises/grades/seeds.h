@@ -8,10 +8,7 @@
 
 namespace raylab::grading {
 
-/// The largest seed of an official result: each reader of JSON keeps such numbers exactly.
-inline constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53) - 1;
-
-/// A seed that nobody can foretell.
+/// A seed that nobody can foretell, at most largest_seed (raylab/base/common_options.h).
 std::uint64_t fresh_seed();
 
 /// A seed that nobody can foretell who has not the course's key: with it, the cases of a submission can be told again

@@ -2,6 +2,7 @@
 
 #include "catch.h"
 
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 
 using namespace raylab;
@@ -43,4 +44,15 @@ TEST_CASE("two numbers with a separator are digits alone, and nothing stands aro
 TEST_CASE("an option without its value is refused by name") {
     CHECK_THROWS_WITH(parse(command_line, {"RANGE", "--seed"}),
                       "raylab measure: expected a value for --seed, found nothing");
+}
+
+TEST_CASE("threads and seeds are read in one way: 0 threads are all cores, and a seed is one that JSON keeps") {
+    const CommandLine both{
+        .program = "raylab measure", .about = "", .options = {threads_option(), {"--seed", "S", "", ""}}};
+    CHECK(threads_of(parse(both, {})) == 0);
+    CHECK(threads_of(parse(both, {"--threads", "3"})) == 3);
+    CHECK_THROWS_AS(threads_of(parse(both, {"--threads", "-1"})), Error);
+    CHECK_FALSE(seed_if_given(parse(both, {})));
+    CHECK(seed_if_given(parse(both, {"--seed", "9007199254740991"})) == largest_seed);
+    CHECK_THROWS_AS(seed_if_given(parse(both, {"--seed", "9007199254740992"})), Error);
 }

@@ -5,6 +5,7 @@
 #include "part_text.h"
 #include "seeds.h"
 
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"

@@ -6,6 +6,7 @@
 #include "seeds.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
@@ -62,8 +63,7 @@ Isolation official_isolation(const Arguments& arguments) {
 }
 
 std::uint64_t official_seed(const Arguments& arguments, const Exercise& exercise) {
-    if (arguments.has("--seed"))
-        return static_cast<std::uint64_t>(arguments.integer("--seed", 0, static_cast<long long>(largest_seed)));
+    if (const auto seed = seed_if_given(arguments)) return *seed;
     if (const auto key = arguments.text_if_given("--key"))
         return seed_by_key(read_course_key(*key), exercise.folder, arguments.text_if_given("--student").value_or(""));
     return fresh_seed();

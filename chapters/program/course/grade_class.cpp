@@ -4,6 +4,7 @@
 #include "seeds.h"
 #include "spreadsheet.h"
 
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
@@ -50,8 +51,7 @@ ClassTerms terms_of(const Arguments& arguments) {
     for (const auto* option : {"--points", "--isolation"})
         if (const auto value = arguments.text_if_given(option)) terms.words.insert(terms.words.end(), {option, *value});
     if (const auto key = arguments.text_if_given("--key")) terms.key = read_course_key(*key);
-    if (arguments.has("--seed"))
-        terms.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, static_cast<long long>(largest_seed)));
+    terms.seed = seed_if_given(arguments);
     terms.pseudonyms = arguments.has("--pseudonyms");
     if (terms.pseudonyms && !terms.key)
         throw Error("expected --key with --pseudonyms, since anyone could tell names made without one; found none");

@@ -10,6 +10,7 @@
 #include "submission.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/outputs.h"
@@ -100,8 +101,8 @@ void draw(const Exercise& exercise, const Workplace& workplace, const Verdict& v
 
 // A new one for each check: a table of answers to known cases answers nothing.
 std::uint64_t seed_of(const Arguments& arguments) {
-    if (!arguments.has("--seed")) return std::random_device()();
-    return static_cast<std::uint64_t>(arguments.integer("--seed", 0, 1LL << 62));
+    const auto given = seed_if_given(arguments);
+    return given ? *given : std::random_device()();
 }
 
 Isolation isolation_of(const Arguments& arguments) {

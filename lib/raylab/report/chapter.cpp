@@ -1,6 +1,7 @@
 #include "raylab/report/chapter.h"
 
 #include "raylab/base/command_line.h"
+#include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/nearest_name.h"
@@ -17,7 +18,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace raylab {
@@ -32,7 +32,7 @@ CommandLine command_line_of(const ChapterTitle& title) {
             .about = title.title + ": " + title.question,
             .options = {{"--out", "DIR", "the lab book's folder; the chapter's own is created inside", "out"},
                         {"--quick", "", "fewer samples, smaller pictures"},
-                        {"--threads", "N", "the number of threads; 0: all cores", "0"},
+                        threads_option(),
                         {"--seed", "S", "the seed of all random numbers", "1"},
                         {"--scene", "FILE", "use another scene than the chapter's own"},
                         {"--lesson", "FILE", "use another lesson than the chapter's README.md"},
@@ -57,8 +57,8 @@ ChapterRun run_from(const Arguments& arguments, const ChapterTitle& title) {
         arguments.text_if_given("--lesson").value_or(source_folder() / "chapters" / title.folder / "README.md");
     run.figure = arguments.text_if_given("--figure").value_or("");
     run.effort = arguments.has("--quick") ? ChapterRun::Effort::quick : ChapterRun::Effort::full;
-    run.threads = static_cast<int>(arguments.integer("--threads", 0, 1024));
-    run.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 0, std::numeric_limits<long long>::max()));
+    run.threads = threads_of(arguments);
+    run.seed = *seed_if_given(arguments);
     run.yours = arguments.text_if_given("--yours").value_or("");
     run.place = arguments.has("--in-book") ? ChapterRun::Place::in_book : ChapterRun::Place::alone;
     run.previous = arguments.text_if_given("--previous").value_or("");
