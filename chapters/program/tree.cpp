@@ -22,6 +22,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace raylab {
 
 namespace {
@@ -45,13 +47,13 @@ const CommandLine tree_command_line = with_sampler_options(with_picture_options(
           "throughput are drawn)"},
          {"--json", "FILE", "the tree, or the difference, as JSON; - is standard output"}}}));
 
-// Reads "31,20"; the pixel must be inside the picture.
-ImageSize pixel_from(const std::string& words, ImageSize image) {
+// Reads "31,20", column and row; the pixel must be inside the picture.
+std::array<int, 2> pixel_from(const std::string& words, ImageSize image) {
     const auto pixel = two_integers(words, ',');
     if (!pixel || (*pixel)[0] >= image.width || (*pixel)[1] >= image.height)
         throw Error(
             fmt::format("expected --pixel X,Y inside {} x {} pixels, found \"{}\"", image.width, image.height, words));
-    return {(*pixel)[0], (*pixel)[1]};
+    return *pixel;
 }
 
 struct NamedTree {
