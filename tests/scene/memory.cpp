@@ -103,3 +103,16 @@ TEST_CASE("the forecast for a structure is what was measured while it was built,
     spheres.objects.assign(1000, {.shape = Sphere{}});
     is_forecast(551 * 1000, accelerator_need(spheres));
 }
+
+TEST_CASE("OBJ: normals, and which of them each vertex has, count as the mesh does") {
+    const auto read = [](const std::string& text, const MemoryLimit& limit) {
+        return read_mesh_bytes(text, MeshFormat::obj, "a.obj", limit).faces.size();
+    };
+    const std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\n";
+    CHECK_THROWS_WITH(read(repeated(200'000, "vn 0 0 1\n") + face, {1 << 20}), Contains("found a mesh that needs "));
+    CHECK(read(repeated(20'000, "vn 0 0 1\n") + face, {1 << 20}) == 1);
+    CHECK_THROWS_WITH(read(repeated(60'000, "v 0 0 0\n") + face, {3 << 19}), Contains("found a mesh that needs "));
+    const std::string both = repeated(100'000, "vn 0 0 1\n") + repeated(60'000, "v 0 0 0\n") + face;
+    CHECK_THROWS_WITH(read(both, {3 << 20}), Contains("found a mesh that needs "));
+    CHECK(read(both, {4 << 20}) == 1);
+}

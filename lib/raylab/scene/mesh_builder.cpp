@@ -13,7 +13,7 @@ double bytes_of(const Mesh& mesh) {
 }
 
 void MeshBuilder::check_growth(double more) const {
-    check_memory({.bytes = bytes_of(mesh_) + more,
+    check_memory({.bytes = bytes_of(mesh_) + beside_ + more,
                   .what = "a mesh",
                   .why = fmt::format("{} vertices and {} triangles so far", mesh_.vertices.size(), mesh_.faces.size())},
                  limit_, where_());

@@ -34,6 +34,15 @@ public:
 
     void vertex(const Vec3f& position) { append(mesh_.vertices, finite(position)); }
     void normal(const Vec3f& direction) { append(mesh_.normals, finite(direction)); }
+
+    /// Appends to a list that a reader keeps beside the mesh: its memory counts as the mesh's does.
+    template <class Item>
+    void keep(std::vector<Item>& list, const Item& item) {
+        const std::size_t before = list.capacity();
+        append(list, item);
+        beside_ += static_cast<double>((list.capacity() - before) * sizeof(Item));
+    }
+
     std::size_t vertex_count() const { return mesh_.vertices.size(); }
 
     /// Adds a polygon as a fan of triangles about its first corner. Corners count from 0 and lie below `vertex_count`,
@@ -54,6 +63,7 @@ private:
     std::function<Place()> where_;
     MemoryLimit limit_;
     Mesh mesh_;
+    double beside_ = 0;  // bytes of the lists beside it
 };
 
 }  // namespace raylab

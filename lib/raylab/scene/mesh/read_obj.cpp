@@ -20,27 +20,28 @@ constexpr std::array<std::string_view, 16> passed_over{"vt",       "g",        "
 // as the corners of each vertex agree.
 class CornerNormals {
 public:
-    explicit CornerNormals(const std::vector<Vec3f>& normals) : normals_(normals) {}
+    CornerNormals(const std::vector<Vec3f>& normals, MeshBuilder& builder) : normals_(normals), builder_(builder) {}
 
     void corner(std::size_t vertex, std::optional<std::size_t> normal) {
-        if (vertex >= of_vertex_.size()) of_vertex_.resize(vertex + 1);
+        while (vertex >= of_vertex_.size()) builder_.keep(of_vertex_, {});
         auto& known = of_vertex_[vertex];
         agree_ = agree_ && normal && (!known || normals_[*known] == normals_[*normal]);
         known = normal;
     }
 
-    /// The normal of each vertex; zero for a vertex that no face has. Empty where a corner has none, or a vertex has
+    /// Gives each vertex its normal; zero to one that no face has. Gives none where a corner has none, or a vertex has
     /// two.
-    std::vector<Vec3f> of_vertices(std::size_t count) const {
-        if (!agree_) return {};
-        std::vector<Vec3f> all(count, Vec3f{0, 0, 0});
-        for (std::size_t vertex = 0; vertex < of_vertex_.size(); ++vertex)
-            if (of_vertex_[vertex]) all[vertex] = normals_[*of_vertex_[vertex]];
-        return all;
+    void give_to_vertices() const {
+        if (!agree_) return;
+        for (std::size_t vertex = 0; vertex < builder_.vertex_count(); ++vertex) {
+            const bool known = vertex < of_vertex_.size() && of_vertex_[vertex];
+            builder_.normal(known ? normals_[*of_vertex_[vertex]] : Vec3f{0, 0, 0});
+        }
     }
 
 private:
     const std::vector<Vec3f>& normals_;
+    MeshBuilder& builder_;
     std::vector<std::optional<std::size_t>> of_vertex_;
     bool agree_ = true;
 };
@@ -53,7 +54,7 @@ public:
 
     Mesh read() {
         while (lines_.next()) read_line();
-        for (const auto& normal : corner_normals_.of_vertices(builder_.vertex_count())) builder_.normal(normal);
+        corner_normals_.give_to_vertices();
         return builder_.finish();
     }
 
@@ -61,7 +62,7 @@ private:
     void read_line() {
         const auto keyword = lines_.words()[0];
         if (keyword == "v") return builder_.vertex(three_numbers());
-        if (keyword == "vn") return normals_.push_back(three_numbers());
+        if (keyword == "vn") return builder_.keep(normals_, three_numbers());
         if (keyword == "f") return read_face();
         if (keyword == "vt") ++texture_count_;
         if (std::ranges::find(passed_over, keyword) == passed_over.end())
@@ -118,7 +119,7 @@ private:
     TextLines lines_;
     MeshBuilder builder_;
     std::vector<Vec3f> normals_;
-    CornerNormals corner_normals_{normals_};
+    CornerNormals corner_normals_{normals_, builder_};
     std::size_t texture_count_ = 0;
     std::vector<std::int64_t> corners_;
 };
