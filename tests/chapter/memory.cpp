@@ -70,3 +70,18 @@ TEST_CASE("what builds no accelerator is not refused for one") {
     CHECK(raylab_with({"export", scene, "-o", folder / "x.pov", "--memory", "64M"}).code == 0);
     CHECK(raylab_with({"needs", scene, "--memory", "lots"}).code == 2);
 }
+
+TEST_CASE("a curved surface of more than a million pieces is refused before they are made") {
+    const std::string scene = folder / "spheres.toml";
+    write_file(scene, "raylab = 1\n[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
+                      "[[shape]]\ntype = \"paraboloid\"\nbase = [0, 0, 3]\ntop = [0, 0, 4]\nradius = 1\n");
+    for (const std::string pair : {"--from 'sphere 0' --to 'paraboloid 1'", "--from 'paraboloid 1' --to 'sphere 0'"}) {
+        const auto result = run_process("/bin/sh",
+                                        {"-c", "ulimit -v 4000000; exec " RAYLAB_BUILD "/raylab form-factor " + scene +
+                                                   " " + pair + " --edge 1e-4"},
+                                        {.timeout = 60});
+        CHECK(result.code == 2);
+        CHECK(result.errors.find("expected at most a million flat pieces in all, found more: a larger --edge") !=
+              result.errors.npos);
+    }
+}

@@ -58,6 +58,9 @@ PolygonalModel polygonal_model(const Scene& scene, double edge) {
         const Object& object = scene.objects[number];
         refuse_plane(scene, object);
         const double factor = stretch(object.placement);
+        if (model.facets.size() + piece_count(object.shape, edge / factor) > most_facets)
+            throw Error({scene.source, 0, object.path}, "at most a million flat pieces in all",
+                        "more: a larger --edge makes fewer");
         const Tessellation cut = tessellation(object.shape, edge / factor);
         model.error = std::max(model.error, cut.error * factor);
         std::map<std::uint32_t, std::uint32_t> groups;
@@ -74,9 +77,6 @@ PolygonalModel polygonal_model(const Scene& scene, double edge) {
                     {placed(piece.corners, object.placement), number, piece.part, occluder, group->second});
             }
         }
-        if (model.facets.size() > most_facets)
-            throw Error({scene.source, 0, object.path}, "at most a million flat pieces in all",
-                        "more: a larger --edge makes fewer");
     }
     return model;
 }

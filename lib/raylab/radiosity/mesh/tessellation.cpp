@@ -67,9 +67,37 @@ FlatPolygon polygon_of(const Corners& corners) {
 }
 
 int count_for(double length, double edge, int least) {
-    constexpr double most = 1 << 16;  // the caller counts all pieces, and refuses too many
+    constexpr double most = 1 << 16;  // piece_count() fits an integer; the caller refuses so many
     return std::max(least, static_cast<int>(std::min(std::ceil(length / edge - 1e-9), most)));
 }
+
+int count_around(double radius, double edge) { return count_for(2 * std::numbers::pi * radius, edge, fewest_around); }
+
+/// How a ball is cut: rings at equal angles from pole to pole.
+struct BallCut {
+    BallCut(const Vec3d& radii, double edge)
+        : largest(std::max({radii.x, radii.y, radii.z})),
+          around(count_around(largest, edge)),
+          bands((around + 1) / 2) {}
+    double largest;
+    int around, bands;
+};
+
+double radius_at(const Revolution<double>& shape, double s) {
+    return std::sqrt(std::max(0.0, shape.squared_radius(s)));
+}
+
+/// How a surface of revolution is cut.
+struct RevolutionCut {
+    RevolutionCut(const Revolution<double>& shape, double edge)
+        : widest(std::max({radius_at(shape, 0), radius_at(shape, 0.5), radius_at(shape, 1)})),
+          straight(shape.q1 * shape.q1 == 4 * shape.q0 * shape.q2),
+          around(count_around(widest, edge)),
+          levels(straight ? 1 : count_for(std::hypot(glm::length(shape.axis), widest), edge, 4)) {}
+    double widest;
+    bool straight;  // rho is linear in s
+    int around, levels;
+};
 
 /// Rings of equally many points about one axis; a ring of radius 0 is a pole.
 struct Rings {
@@ -109,7 +137,7 @@ void add_disk(const Vec3d& center, const Vec3d& axis, double inner, double outer
               std::vector<FlatPolygon>& to) {
     if (outer == 0) return;
     const Vec3d n = glm::normalize(axis), u = perpendicular_to(n);
-    const Rings rings{u, cross(n, u), count_for(2 * std::numbers::pi * outer, edge, fewest_around), {}};
+    const Rings rings{u, cross(n, u), count_around(outer, edge), {}};
     FlatPolygon whole;
     for (int i = 0; i < rings.around; ++i) {
         const Vec3d a = rings.point({center, outer}, i), b = rings.point({center, outer}, i + 1);
@@ -175,15 +203,14 @@ private:
     Tessellation ring(const Vec3f& center, const Vec3f& normal, double inner, double outer) const {
         Tessellation result;
         add_disk(convert<double>(center), convert<double>(normal), inner, outer, edge, 0, result.polygons);
-        const int around = count_for(2 * std::numbers::pi * outer, edge, fewest_around);
+        const int around = count_around(outer, edge);
         result.error = sagitta(outer, 2 * outer * std::sin(std::numbers::pi / around));
         return result;
     }
 
-    // Rings at equal angles from pole to pole; an ellipsoid is the image of the unit sphere, and planes stay planes.
+    // An ellipsoid is the image of the unit sphere, and planes stay planes.
     Tessellation ball(const Vec3d& center, const Vec3d& radii) const {
-        const double largest = std::max({radii.x, radii.y, radii.z});
-        const int around = count_for(2 * std::numbers::pi * largest, edge, fewest_around), bands = (around + 1) / 2;
+        const auto [largest, around, bands] = BallCut(radii, edge);
         Rings unit{{1, 0, 0}, {0, 1, 0}, around, {}};
         for (int i = 0; i <= bands; ++i) {
             const double angle = std::numbers::pi * (static_cast<double>(i) / bands - 0.5);
@@ -223,11 +250,8 @@ private:
     Tessellation revolved(const Revolution<double>& shape) const {
         const double length = glm::length(shape.axis);
         const Vec3d axis = shape.axis / length, u = perpendicular_to(axis);
-        const auto radius = [&](double s) { return std::sqrt(std::max(0.0, shape.squared_radius(s))); };
-        const double widest = std::max({radius(0), radius(0.5), radius(1)});
-        const bool straight = shape.q1 * shape.q1 == 4 * shape.q0 * shape.q2;  // rho is linear in s
-        const int around = count_for(2 * std::numbers::pi * widest, edge, fewest_around);
-        const int levels = straight ? 1 : count_for(std::hypot(length, widest), edge, 4);
+        const auto radius = [&](double s) { return radius_at(shape, s); };
+        const auto [widest, straight, around, levels] = RevolutionCut(shape, edge);
         Rings rings{u, cross(axis, u), around, {}};
         for (int i = 0; i <= levels; ++i) {
             // Squared where it begins at a vertex: the profile is steep there.
@@ -248,7 +272,38 @@ private:
     }
 };
 
+struct Counted {
+    double edge;
+
+    std::size_t operator()(const Sphere& s) const { return ball(Vec3d(static_cast<double>(s.radius))); }
+    std::size_t operator()(const Ellipsoid& e) const { return ball(convert<double>(e.radii)); }
+    std::size_t operator()(const Cylinder& c) const { return revolved(in<double>(c)); }
+    std::size_t operator()(const Cone& c) const { return revolved(in<double>(c)); }
+    std::size_t operator()(const Paraboloid& p) const { return revolved(in<double>(p)); }
+    std::size_t operator()(const Hyperboloid& h) const { return revolved(in<double>(h)); }
+    std::size_t operator()(const Plane&) const { return 0; }
+    std::size_t operator()(const Disk& d) const { return ring(d.radius); }
+    std::size_t operator()(const Annulus& a) const { return ring(a.outer_radius); }
+    std::size_t operator()(const Polygon& p) const { return p.vertices.size() <= 4 ? 1 : p.vertices.size() - 2; }
+    std::size_t operator()(const Triangle&) const { return 1; }
+    std::size_t operator()(const std::shared_ptr<const Mesh>& mesh) const { return mesh->faces.size(); }
+
+private:
+    static std::size_t product(int a, int b) { return static_cast<std::size_t>(a) * static_cast<std::size_t>(b); }
+    std::size_t ring(float outer) const { return product(count_around(static_cast<double>(outer), edge), 1); }
+    std::size_t ball(const Vec3d& radii) const {
+        const BallCut cut(radii, edge);
+        return product(cut.around, cut.bands);
+    }
+    std::size_t revolved(const Revolution<double>& shape) const {
+        const RevolutionCut cut(shape, edge);
+        return product(cut.around, cut.levels);
+    }
+};
+
 }  // namespace
+
+std::size_t piece_count(const Shape& shape, double edge) { return std::visit(Counted{edge}, shape); }
 
 std::vector<std::vector<Vec3d>> triangulated(const std::vector<Vec3d>& polygon) {
     const Vec3d normal = area_vector(polygon);

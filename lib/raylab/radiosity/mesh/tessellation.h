@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/shapes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Tessellation {
 /// twelve; corners lie on the surface. Its quadrilaterals lie in planes exactly: a ring's edge is parallel to the next
 /// ring's.
 Tessellation tessellation(const Shape& shape, double edge);
+
+/// The number of its pieces before it is made, without the disks that close a surface of revolution.
+std::size_t piece_count(const Shape& shape, double edge);
 
 /// A simple polygon cut into triangles by clipping its ears. (Meisters: Polygons Have Ears, Amer. Math. Monthly 82(6),
 /// 1975.) The result of a polygon that crosses itself is some of its triangles.
