@@ -11,7 +11,7 @@ function(raylab_slot file)
   set_property(GLOBAL APPEND PROPERTY raylab_slots ${slot})
 endfunction()
 
-# raylab_link(<target>) links the whole library (except picture files and diagrams) and all slots. It links objects and not an archive,
+# raylab_link(<target>) links the whole library and all slots. It links objects and not an archive,
 # so that nothing is left out and nothing is taken twice. `raylab check` links a program anew with a student's object in a slot's place.
 function(raylab_link target)
   get_property(slots GLOBAL PROPERTY raylab_slots)

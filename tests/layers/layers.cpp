@@ -62,11 +62,9 @@ TEST_CASE("includes point to the same layer or an earlier one") {
     }
 }
 
-// Whether a file may include heavy headers: *_cgal.h, which no plain header includes, and two .cpp files, the grader's
-// reader of hints and the bench's peer.
+// Whether a file may include heavy headers: *_cgal.h, which no plain header includes, and the bench's peer.
 bool is_heavy_inside(const fs::path& file) {
-    return file.filename().string().ends_with("_cgal.h") || file.filename() == "hints.cpp" ||
-           file.filename() == "cgal_peer.cpp";
+    return file.filename().string().ends_with("_cgal.h") || file.filename() == "cgal_peer.cpp";
 }
 
 TEST_CASE("no plain header and no chapter sees CGAL, OpenImageIO or Graphviz") {

@@ -10,7 +10,7 @@
 #include <ctime>
 #include <fstream>
 
-// CMake defines RAYLAB_SOURCE, RAYLAB_BUILD, RAYLAB_VERSION and RAYLAB_FLAGS for this file alone.
+// CMake defines RAYLAB_SOURCE, RAYLAB_BUILD, RAYLAB_VERSION and RAYLAB_FLAGS, the last two for this file alone.
 
 namespace raylab {
 
