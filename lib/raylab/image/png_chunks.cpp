@@ -1,17 +1,13 @@
 #include "raylab/image/png_chunks.h"
 
+#include "raylab/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace raylab {
 
 namespace {
-
-std::uint32_t big_endian(std::string_view four) {
-    std::uint32_t value = 0;
-    for (const char byte : four) value = value << 8 | static_cast<std::uint8_t>(byte);
-    return value;
-}
 
 // CRC-32 of ISO 3309, bit by bit with its reversed polynomial (PNG specification, annex D) over a table of nibbles.
 std::uint32_t checksum(std::string_view bytes) {
@@ -35,10 +31,11 @@ std::string png_damage(std::string_view bytes) {
     constexpr std::size_t signature = 8,
                           frame = 12;  // a chunk is length, type, data and checksum: four bytes each, except the data
     for (std::size_t at = signature; at + frame <= bytes.size();) {
-        const std::size_t length = big_endian(bytes.substr(at, 4));
+        const std::size_t length = number_at<std::uint32_t>(bytes, at, std::endian::big);
         const std::string_view type = bytes.substr(at + 4, 4);
         if (length > bytes.size() - at - frame) return "one cut short";
-        if (checksum(bytes.substr(at + 4, 4 + length)) != big_endian(bytes.substr(at + 8 + length, 4)))
+        if (checksum(bytes.substr(at + 4, 4 + length)) !=
+            number_at<std::uint32_t>(bytes, at + 8 + length, std::endian::big))
             return "a wrong checksum at byte " + std::to_string(at);
         if (type == "IEND") return {};
         at += frame + length;

@@ -2,10 +2,10 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/nearest_name.h"
 #include "raylab/scene/mesh/mesh_formats.h"
 #include "raylab/scene/mesh/text_lines.h"
 
-#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -18,9 +18,7 @@ constexpr std::size_t largest_file = std::numeric_limits<std::int32_t>::max();
 }  // namespace
 
 MeshFormat mesh_format(const std::filesystem::path& path) {
-    auto extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    const std::string extension = in_small_letters(path.extension().string());
     if (extension == ".off") return MeshFormat::off;
     if (extension == ".obj") return MeshFormat::obj;
     if (extension == ".ply") return MeshFormat::ply;

@@ -1,4 +1,5 @@
 #include "raylab/base/printable.h"
+#include "raylab/base/wrapped_text.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/needs/parts.h"
 #include "raylab/scene/render_model.h"
@@ -16,20 +17,9 @@ std::string counted(std::size_t n, const std::string& one) { return fmt::format(
 
 constexpr std::size_t left = 24, right = 84;  // columns: the fact and its reason; 112 with the margins
 
-// Breaks the sentence into lines; each after the first is indented to the right column.
-std::string wrapped(const std::string& sentence) {
-    std::string text, line;
-    for (std::size_t from = 0; from < sentence.size();) {
-        const auto end = std::min(sentence.find(' ', from), sentence.size());
-        const auto word = sentence.substr(from, end - from);
-        if (!line.empty() && line.size() + 1 + word.size() > right) {
-            text += line + "\n" + std::string(left + 4, ' ');
-            line.clear();
-        }
-        line += (line.empty() ? "" : " ") + word;
-        from = end + 1;
-    }
-    return text + line;
+// Each line after the first is indented to the right column.
+std::string in_right_column(const std::string& sentence) {
+    return fmt::format("{}", fmt::join(wrapped(sentence, right), "\n" + std::string(left + 4, ' ')));
 }
 
 std::string section(const std::string& title, const std::vector<Note>& notes) {
@@ -38,7 +28,7 @@ std::string section(const std::string& title, const std::vector<Note>& notes) {
     for (const auto& [what, why] : notes) {
         const bool long_name = what.size() > left;
         text += fmt::format("  {:<{}}{}", what, left, long_name ? "\n" + std::string(left + 2, ' ') : "");
-        text += "  " + wrapped(why) + "\n";
+        text += "  " + in_right_column(why) + "\n";
     }
     return text;
 }
