@@ -57,7 +57,30 @@ std::vector<ChapterProgram> listed_chapters() {
     return chapters;
 }
 
+namespace {
+
+// In a handout (raylab handout) there are lessons without programs.
+void refuse_in_handout(const std::string& name) {
+    if (!fs::exists(source_folder() / "handout.txt")) return;
+    std::vector<std::string> lessons;
+    for (const auto& entry : fs::directory_iterator(source_folder() / "chapters")) {
+        const auto folder = entry.path().filename().string();
+        if (means_folder(name, folder))
+            throw Error(
+                fmt::format("expected a chapter's program, but this is a handout, without the chapters' programs: "
+                            "chapters/{}/README.md is the lesson, and ./raylab render draws its scenes",
+                            folder));
+        lessons.push_back(folder);
+    }
+    std::ranges::sort(lessons);
+    throw Error(fmt::format("expected a chapter's lesson, as this is a handout: {}; found {}", fmt::join(lessons, ", "),
+                            with_suggested_folder(name, lessons)));
+}
+
+}  // namespace
+
 ChapterProgram built_chapter(const std::string& name) {
+    refuse_in_handout(name);
     std::vector<std::string> known;
     for (const auto& chapter : built_chapters()) {
         if (means_folder(name, chapter.folder)) return chapter;

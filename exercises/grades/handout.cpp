@@ -1,6 +1,7 @@
 #include "handout.h"
 
 #include "exercise.h"
+#include "handout_lessons.h"
 #include "quiz_seal.h"
 #include "workplace.h"
 
@@ -81,18 +82,6 @@ void copy_headers(const fs::path& folder) {
     for (const auto& header : headers) copy_to(source_folder() / "lib" / header, folder / "lib" / header);
 }
 
-void copy_lessons(const fs::path& folder) {
-    std::set<std::string> chapters;
-    for (const auto& exercise : exercises()) chapters.insert(exercise.chapter);
-    for (const auto& chapter : chapters) {
-        write_file(folder / "chapters" / chapter / "README.md",
-                   without_answers(read_file(source_folder() / "chapters" / chapter / "README.md")));
-        for (const auto* part : {"scene.toml", "pictures"})
-            if (const auto from = source_folder() / "chapters" / chapter / part; fs::exists(from))
-                copy_to(from, folder / "chapters" / chapter / part);
-    }
-}
-
 // The Debian packages of the libraries that the program was linked with.
 std::set<std::string> packages() {
     std::set<std::string> all{"fonts-dejavu-core", "g++",        "libfmt-dev", "libglm-dev",
@@ -125,12 +114,12 @@ void write_handout(const fs::path& folder) {
     for (const auto& exercise : exercises()) copy_exercise(exercise, folder);
     copy_to(source_folder() / "exercises/hints.toml", folder / "exercises/hints.toml");
     copy_headers(folder);
-    copy_lessons(folder);
     const auto texts = source_folder() / "exercises/handout";
     copy_to(texts / "raylab", folder / "raylab");
     copy_to(source_folder() / "LICENSE", folder / "LICENSE");
     write_file(folder / "README.md", read_file(texts / "README.md") + list_of_exercises());
     write_file(folder / "packages.txt", fmt::format("{}\n", fmt::join(packages(), "\n")));
+    write_lessons(folder);
     write_file(folder / "handout.txt", "The program finds the folder by this file.\n");
 }
 

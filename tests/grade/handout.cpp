@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -55,6 +56,34 @@ std::string all_texts(const fs::path& folder) {
         if (entry.is_regular_file() && entry.path().string().find("/build/") == std::string::npos)
             all += read_file(entry.path());
     return all;
+}
+
+// The scenes of the lab's own that the lessons' commands name, as they name them.
+std::set<std::string> scenes_named_in(const fs::path& lessons) {
+    static const std::regex scene(R"(\./raylab [^\n`]*?(chapters/[a-z0-9_/]+\.toml))");
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(lessons)) {
+        if (entry.path().extension() != ".md") continue;
+        const auto text = read_file(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), scene), end; match != end; ++match)
+            names.insert((*match)[1]);
+    }
+    REQUIRE(names.size() > 12);
+    return names;
+}
+
+// The links of texts to files that are not there.
+std::set<std::string> dead_links(const fs::path& texts) {
+    static const std::regex link(R"(\]\(((?!http|#)[^) #]*[./][^) #]*)[^)\n]*\))");
+    std::set<std::string> dead;
+    for (const auto& entry : fs::recursive_directory_iterator(texts)) {
+        if (entry.path().extension() != ".md") continue;
+        const auto text = read_file(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match)
+            if (const auto name = (*match)[1].str(); !fs::exists(entry.path().parent_path() / name))
+                dead.insert(entry.path().lexically_relative(texts).string() + ": " + name);
+    }
+    return dead;
 }
 
 nlohmann::ordered_json json_in(const fs::path& file) { return read_json(file); }
@@ -121,6 +150,17 @@ TEST_CASE("a handout checks alone, wherever it stands, and holds no reference an
     INFO(quiz.output << quiz.errors);
     CHECK(quiz.output.find("2 of 3 right") != std::string::npos);
     CHECK(quiz.output.find("95 million radii.") == std::string::npos);
+    CHECK(dead_links(moved / "chapters") == std::set<std::string>{});
+    for (const auto& scene : scenes_named_in(moved / "chapters")) {
+        const auto read = run_alone(here + "./raylab needs " + scene);
+        INFO(scene << "\n" << read.output << read.errors);
+        CHECK(read.succeeded());
+    }
+    const auto chapter = run_alone(here + "./raylab chapter 02");
+    INFO(chapter.errors);
+    CHECK(chapter.errors.find(
+              "this is a handout, without the chapters' programs: chapters/02_spheres_and_quadrics/README.md is "
+              "the lesson") != std::string::npos);
     const auto work = run_alone(here + "./raylab check 10 --verdict-only");  // one with shared libraries
     INFO(work.output << work.errors);
     CHECK(work.output.find("not written yet") != std::string::npos);
