@@ -19,6 +19,7 @@ inline constexpr std::size_t inputs = 7 + 4 * most_leaves;  // how many leaves (
 inline constexpr std::size_t most_asked = 64;
 inline constexpr std::size_t outputs = 3 + most_asked;  // 1 and t, or 0 0; how often it asked; what it asked first
 inline constexpr int leaf_mark = 100;                   // added to the number of a leaf whose things are asked for
+inline constexpr int no_node = 99;                      // in place of any number that is no node's
 
 struct Arguments {
     RayOf<double> ray;
@@ -78,9 +79,9 @@ inline std::vector<double> as_input(const Arguments& given) {
 inline void answer(decltype(&nearest_in_tree) function, std::span<const double> in, std::span<double> out) {
     const Arguments given = arguments(in);
     std::vector<int> asked;
-    const auto note = [&](int what) { asked.push_back(what); };
+    const auto note = [&](int mark, int node) { asked.push_back(mark + (given.is_node(node) ? node : no_node)); };
     const auto t = function({.entry = [&](int node) -> std::optional<double> {
-                                 note(node);
+                                 note(0, node);
                                  return given.is_node(node) ? entry_of(given, node) : std::nullopt;
                              },
                              .children = [&](int node) -> std::optional<std::array<int, 2>> {
@@ -88,7 +89,7 @@ inline void answer(decltype(&nearest_in_tree) function, std::span<const double> 
                                  return std::array{2 * node + 1, 2 * node + 2};
                              },
                              .hit = [&](int leaf) -> std::optional<double> {
-                                 note(leaf_mark + leaf);
+                                 note(leaf_mark, leaf);
                                  return given.is_leaf(leaf) ? hit_of(given, leaf) : std::nullopt;
                              }});
     std::ranges::fill(out, -1);

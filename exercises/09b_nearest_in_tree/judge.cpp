@@ -38,7 +38,8 @@ std::vector<Case> cases(std::uint64_t seed) {
 }
 
 std::string in_words(bool hit, double t, double asked) {
-    return (hit ? "a hit at t = " + words(t) : "no hit") + fmt::format(", by {:g} questions", asked);
+    return (hit ? "a hit at t = " + words(t) : "no hit") +
+           fmt::format(", by {:g} question{}", asked, asked == 1 ? "" : "s");
 }
 
 Judgement judge(const Case& question, std::span<const double> answer) {
@@ -57,7 +58,8 @@ Judgement judge(const Case& question, std::span<const double> answer) {
     }
     const DepthFirst search(given);
     if (!search.has_ties() && answer[2] > static_cast<double>(search.questions())) {
-        result.expected += fmt::format(", by {} questions at most", search.questions());
+        result.expected +=
+            fmt::format(", by {} question{} at most", search.questions(), search.questions() == 1 ? "" : "s");
         return result;
     }
     const bool right = (answer[0] != 0) == expected.has_value() && (!expected || answer[1] == *expected);

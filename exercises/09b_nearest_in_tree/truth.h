@@ -35,7 +35,7 @@ inline std::vector<int> asked_of(std::span<const double> answer) {
     std::vector<int> all;
     for (std::size_t i = 0; i < most_asked && static_cast<double>(i) < answer[2]; ++i) {
         const double what = answer[3 + i];
-        all.push_back(what >= 0 && what < 1000 ? static_cast<int>(what) : 999);
+        all.push_back(what >= 0 && what < 2 * leaf_mark ? static_cast<int>(what) : no_node);
     }
     return all;
 }
@@ -122,7 +122,8 @@ inline std::string in_words(const Arguments& given, const Wasted& wasted) {
         case Wasted::Why::twice:
             return what + " was asked for before";
         case Wasted::Why::stranger:
-            return what + ": there is none";
+            if (given.is_node(node)) return fmt::format("the things of node {}, which is no leaf", node);
+            return fmt::format("the {} of a node that does not exist", things ? "things" : "box");
         case Wasted::Why::missed:
             return fmt::format("{} was asked for, though the ray misses the box of node {} or one above", what, open);
         case Wasted::Why::beyond:

@@ -30,7 +30,11 @@ int said(const std::function<void(std::FILE* answers)>& say_all) {
         std::fclose(answers);
         return exit_out_of_memory;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "an exception was thrown: %s\n", error.what());
+        std::fprintf(stderr, "%s%s\n", thrown_words, error.what());
+        std::fclose(answers);
+        return exit_thrown;
+    } catch (...) {
+        std::fprintf(stderr, "%sone that is no std::exception\n", thrown_words);
         std::fclose(answers);
         return exit_thrown;
     }

@@ -18,5 +18,7 @@ int answer_work(const std::vector<WorkTask>& tasks, std::size_t outputs, const A
 inline constexpr int exit_unfinished = 3;
 inline constexpr int exit_thrown = 4;
 inline constexpr int exit_out_of_memory = 5;
+/// With exit code 4 the last line on stderr begins with this, and says what was thrown.
+inline constexpr const char* thrown_words = "an exception was thrown: ";
 
 }  // namespace raylab::grading

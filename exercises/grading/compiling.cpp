@@ -43,9 +43,11 @@ ProcessResult run_compiler(const Workplace& workplace, std::vector<std::string> 
 // The library's parts that count work, or trace a scene, need libraries that Debian has as shared objects only.
 enum class Linked { whole, with_shared_libraries };
 
+fs::path harness_of(const std::string& name) { return build_folder() / "exercises/harness" / (name + ".o"); }
+
 ProcessResult link(const Workplace& workplace, const std::string& harness, const fs::path& program, Linked how) {
     const auto copy = workplace.path() / (harness + ".o");  // the linker sees the workplace only
-    fs::copy_file(build_folder() / "exercises/harness" / copy.filename(), copy);
+    fs::copy_file(harness_of(harness), copy);
     auto words = student_words();
     // The harness stands first: of an inline function that both have, the linker keeps the first.
     words.insert(words.end(), {copy.string(), workplace.object().string(), "-o", program.string()});
@@ -73,7 +75,9 @@ std::vector<std::string> faults_in(const std::string& messages) {
                ", which the lab defines itself: choose another name, or put it into an "
                "unnamed namespace (namespace { ... })";
     });
-    add(missing, [](const std::string& name) { return "the file calls " + name + ", which nothing defines"; });
+    add(missing, [](const std::string& name) {
+        return "the file calls " + name + ", which nothing defines that an answer is linked with";
+    });
     if (faults.empty()) faults.push_back("the linker refuses the file: " + on_one_line(messages));
     return faults;
 }
@@ -108,7 +112,7 @@ std::vector<std::string> faults_after_compiling(const Exercise& exercise, const 
     if (!faults.empty()) return faults;
     faults = faults_of_assembling(workplace);
     if (!faults.empty()) return faults;
-    faults = faults_of(symbols_of(workplace.object()), exercise.slot);
+    faults = faults_of(symbols_of(workplace.object()), exercise.slot, harness_of(exercise.folder));
     if (!faults.empty()) return faults;
     const auto linked = link(workplace, exercise.folder, workplace.program(),
                              exercise.work.empty() ? Linked::whole : Linked::with_shared_libraries);

@@ -206,6 +206,21 @@ std::optional<Found> find_constant_answer(const Exercise& exercise, std::span<co
                  outcomes.wrong.front()};
 }
 
+std::optional<Found> find_first_is_no_number(const Exercise& exercise, const std::vector<Case>& cases,
+                                             std::span<const double> answers, const Outcomes& outcomes) {
+    const auto is_no_number = [&](std::size_t i) {
+        const auto answer = answers.subspan(i * exercise.outputs, exercise.outputs);
+        return std::ranges::any_of(answer, [](double value) { return std::isnan(value); }) &&
+               exercise.judge(cases[i], answer).outcome == Judgement::Outcome::nonfinite;
+    };
+    if (outcomes.wrong.empty() || !is_no_number(outcomes.wrong.front())) return std::nullopt;
+    return Found{
+        "not_a_number",
+        fmt::format("{} of {} wrong answers are no numbers; case {} is the first.",
+                    std::ranges::count_if(outcomes.wrong, is_no_number), outcomes.wrong.size(), outcomes.wrong.front()),
+        outcomes.wrong.front()};
+}
+
 std::optional<Found> find_single_group(const std::vector<Case>& cases, const Outcomes& outcomes) {
     if (outcomes.wrong.empty() || outcomes.right.empty()) return std::nullopt;
     const auto& group = cases[outcomes.wrong.front()].group;

@@ -12,6 +12,10 @@ std::vector<Symptom> general_symptoms(const Exercise& exercise);
 std::optional<Found> find_constant_answer(const Exercise& exercise, std::span<const double> answers,
                                           const Outcomes& outcomes);
 
+/// Where the first wrong answer, which is shown, is not a number: its hint, though most of the others are numbers.
+std::optional<Found> find_first_is_no_number(const Exercise& exercise, const std::vector<Case>& cases,
+                                             std::span<const double> answers, const Outcomes& outcomes);
+
 /// All wrong answers are to one group of cases, and some of the right ones are to others.
 std::optional<Found> find_single_group(const std::vector<Case>& cases, const Outcomes& outcomes);
 

@@ -20,6 +20,7 @@ std::optional<Found> find_hint(const Exercise& exercise, const std::vector<Case>
     if (auto found = find_known_mistake(exercise, cases, answers, outcomes, mostly)) return found;
     if (auto found = find_symptom_of_first_group(exercise, cases, answers, outcomes)) return found;
     if (auto found = find_symptom(exercise, general_symptoms(exercise), cases, answers, outcomes)) return found;
+    if (auto found = find_first_is_no_number(exercise, cases, answers, outcomes)) return found;
     return find_single_group(cases, outcomes);
 }
 

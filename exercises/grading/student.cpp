@@ -82,17 +82,42 @@ unsigned seconds_for(const Exercise& exercise, std::span<const double> inputs) {
     });
 }
 
-// Which of the two clocks it was that ran out.
+// What a student has done who reads of this signal for the first time.
+std::string meaning_of(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+        case SIGBUS:
+            return ": it read or wrote memory that is not its own: an index beyond the end, a null pointer, or a function "
+                   "that calls itself without end";
+        case SIGFPE:
+            return ": a whole number was divided by 0";
+        case SIGXFSZ:
+            return ": it wrote to a file";
+        default:
+            return "";
+    }
+}
+
+// Where in its output the student's process says what was thrown; none: it ended otherwise.
+std::size_t place_of_thrown(const ProcessResult& result) {
+    const bool thrown = result.end == ProcessResult::End::exited && result.code == exit_thrown;
+    return thrown ? result.errors.rfind(thrown_words) : std::string::npos;
+}
+
 std::string reason_of(const ProcessResult& result, const Allowed& allowed) {
-    if (result.end == ProcessResult::End::signalled && end_of_killed(result.code) == Answers::End::timed_out)
+    if (const auto at = place_of_thrown(result); at != std::string::npos)
+        return "it threw an exception: " +
+               on_one_line(harmless(result.errors.substr(at + std::string_view(thrown_words).size())));
+    if (result.end != ProcessResult::End::signalled) return to_string(result);
+    if (end_of_killed(result.code) == Answers::End::timed_out)  // Which of the two clocks it was that ran out.
         return fmt::format("it took more than {} s of the processor's time", allowed.seconds);
-    return to_string(result);
+    return to_string(result) + meaning_of(result.code);
 }
 
 Answers answers_in(const ProcessResult& result, const Program& program, std::size_t max_bytes, bool all_there) {
     Answers answers{.end = end_of(result, all_there),
                     .reason = reason_of(result, program.allowed),
-                    .printed = harmless(result.errors),
+                    .printed = harmless(result.errors.substr(0, place_of_thrown(result))),
                     .seconds = result.cpu_seconds};
     const std::size_t case_bytes = program.outputs * sizeof(double);
     const std::size_t whole = std::min(result.output.size(), max_bytes) / case_bytes * case_bytes;

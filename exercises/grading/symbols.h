@@ -17,7 +17,9 @@ struct Symbols {
 Symbols symbols_of(const std::filesystem::path& object);
 
 /// What is wrong with the symbols of an answer, a sentence each: it does not define the slot, or it calls a function of
-/// the library, which might be the answer; what an answer needs of the library is in its headers.
-std::vector<std::string> faults_of(const Symbols& symbols, const std::string& slot);
+/// the library, which might be the answer; what an answer needs of the library is in its headers. The harness is the
+/// object that holds all of the library that an answer is linked with: of what is not in it the linker says so.
+std::vector<std::string> faults_of(const Symbols& symbols, const std::string& slot,
+                                   const std::filesystem::path& harness);
 
 }  // namespace raylab::grading

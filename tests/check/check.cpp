@@ -256,6 +256,78 @@ TEST_CASE("a function that fails only while the picture is drawn is told so, wit
     CHECK(says(result, "the function did not return: killed by signal"));
 }
 
+TEST_CASE("a helper that is declared and never written is none of the library's") {
+    const auto result = check("02", sphere_answer("never_written", "    return helper(sphere.radius);",
+                                                  "namespace raylab { double helper(double); }"));
+    INFO(result.output);
+    CHECK(says(result, "the file calls raylab::helper(double), which nothing defines"));
+    CHECK_FALSE(says(result, "a function of the library:"));
+}
+
+TEST_CASE("a function that is defined outside of the namespace is told so") {
+    raylab::write_file(answers / "outside.cpp",
+                       "#include \"raylab/geometry/nearest_sphere_hit.h\"\nusing namespace raylab;\n"
+                       "std::optional<double> nearest_sphere_hit(const RayOf<double>&, const SphereOf<double>&) {\n"
+                       "    return 1;\n}\n");
+    const auto result = check("02", answers / "outside.cpp");
+    INFO(result.output);
+    CHECK(says(result, "but ::nearest_sphere_hit("));
+    CHECK(says(result, "outside of namespace raylab"));
+}
+
+TEST_CASE("how a function ends is told in words that lead to the line") {
+    const auto told = [](const std::string& name, const std::string& body, const std::string& before,
+                         const std::vector<std::string>& words) {
+        const auto result = check("02", sphere_answer(name, body, before));
+        INFO(result.output << result.errors);
+        CHECK(result.code == 1);
+        for (const auto& each : words) CHECK(says(result, each));
+        CHECK_FALSE(says(result, "exit code 4"));
+    };
+    told("throws", "    return std::vector<double>{}.at(3);", "#include <vector>",
+         {"the function did not return: it threw an exception: vector::_M_range_check"});
+    told("throws_a_number", "    throw 5;", "", {"it threw an exception: one that is no std::exception"});
+    told("null", "    const volatile double* none = nullptr;\n    return *none;", "",
+         {"killed by signal 11", "it read or wrote memory that is not its own: an index beyond the end"});
+    told("without_end", "    return sphere.radius < 0 ? 1 : *nearest_sphere_hit(ray, sphere) + 1;", "",
+         {"a function that calls itself without end"});
+    told("beyond_the_end", "    const std::vector<double> two(2);\n    return two[asked() + 2];",
+         "#include <vector>\nstatic std::size_t asked() { static volatile std::size_t zero = 0; return zero; }",
+         {"Assertion '__n < this->size()' failed"});
+    told("nothing_in_it", "    std::optional<double> none;\n    return *none;", "", {"Assertion", "_M_is_engaged()"});
+}
+
+TEST_CASE("an answer that is no number is shown as that, with the hint for it, where it is the first wrong one") {
+    const auto result = check("02",
+                              sphere_answer("no_number",
+                                            "    static_cast<void>(sphere);\n"
+                                            "    return ray.origin.x < 0 ? std::sqrt(-1.0) : std::optional(1.0);",
+                                            "#include <cmath>"),
+                              {"--verdict-only", "--seed", "3"});
+    INFO(result.output);
+    CHECK(says(result, "got        t = not a number"));
+    CHECK(says(result, "Your answer is no number there."));
+}
+
+TEST_CASE("a question about a node that is none is told as that") {
+    const auto asks = [](const std::string& name, const std::string& question) {
+        const auto file = answers / (name + ".cpp");
+        raylab::write_file(file, "#include \"raylab/accelerator/bvh/nearest_in_tree.h\"\n"
+                                 "std::optional<double> raylab::nearest_in_tree(const AskedTree& tree) {\n"
+                                 "    return tree." +
+                                     question + ";\n}\n");
+        return check("09b", file);
+    };
+    for (const auto* node : {"-1", "103", "20000"}) {
+        const auto box = asks("asks_for_no_box", "entry(" + std::string(node) + ")");
+        INFO(node << "\n" << box.output);
+        CHECK(says(box, "by 1 question: the box of a node that does not exist"));
+        CHECK(says(asks("asks_for_no_things", "hit(" + std::string(node) + ")"),
+                   "the things of a node that does not exist"));
+    }
+    CHECK(says(asks("asks_the_root", "hit(0)"), "the things of node 0, which is no leaf"));
+}
+
 TEST_CASE("an answer with every case right and too much work does not pass") {
     const auto result = check("10", RAYLAB_SOURCE "/exercises/10_grid_step/mistakes/a_billionth_on.cpp");
     INFO(result.output << result.errors);
