@@ -186,6 +186,7 @@ TEST_CASE("a class is graded once, goes on where it was stopped, and in parts gi
     for (const auto* part : {"1/2", "2/2"})
         CHECK(run_class({"02", "--class", "class", "-o", std::string("part_") + part[0], "--part", part, "--seed", "7"})
                   .code == 0);
+    CHECK(says(run_class({"02", "--class", "class", "-o", "quarter", "--part", "1/4"}), "1 submission graded"));
     CHECK(run_class({"--merge", "part_1", "-o", "merged"}).code == 1);  // two are missing
     CHECK(run_class({"--merge", "part_1", "part_2", "-o", "merged"}).code == 0);
     CHECK(results("merged") == results("whole"));

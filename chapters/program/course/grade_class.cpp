@@ -115,7 +115,7 @@ void write_report(const fs::path& report) {
 }
 
 std::string words_of(const ClassRun& run) {
-    std::string text = fmt::format("{} submissions graded", run.graded);
+    std::string text = fmt::format("{} submission{} graded", run.graded, run.graded == 1 ? "" : "s");
     if (run.kept) text += fmt::format(", {} unchanged since they were", run.kept);
     if (run.other_cases)
         text += fmt::format("\n{} of these were asked cases that have changed since: --regrade asks them again",
