@@ -25,6 +25,13 @@ TEST_CASE("a sky goes from the horizon's colour to the zenith's by the fourth po
     CHECK(is_color(background_color(sky, {0, 0.25f, -std::sqrt(0.9375f)}), high + 0.31640625 * (low - high)));
 }
 
+TEST_CASE("a background sends light unless it is black all around, the zenith included") {
+    CHECK_FALSE(sends_light({}));
+    CHECK_FALSE(sends_light({.zenith = Color{0, 0, 0}}));
+    CHECK(sends_light({.color = low}));
+    CHECK(sends_light({.zenith = high}));
+}
+
 TEST_CASE("below the horizon a sky has the horizon's colour") {
     CHECK(background_color(sky, {0, -1, 0}) == low);
     CHECK(background_color(sky, {1, -0.1f, 0}) == low);

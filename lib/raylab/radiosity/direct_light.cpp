@@ -62,8 +62,4 @@ Color background_light(const PatchVisibility::Surroundings& around, double fille
     return std::numbers::pi * std::max(0.0, around.with_patches - filled) * around.background;
 }
 
-bool is_black(const Background& background) {
-    return background.color == Color(0) && background.zenith.value_or(Color(0)) == Color(0);
-}
-
 }  // namespace raylab

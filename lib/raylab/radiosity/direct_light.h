@@ -43,7 +43,4 @@ std::vector<Color> direct_light(const PatchMesh& mesh, const PatchVisibility& vi
 /// of its view that neither patches fill nor sides without patches.
 Color background_light(const PatchVisibility::Surroundings& around, double filled);
 
-/// Whether a background sends any light.
-bool is_black(const Background& background);
-
 }  // namespace raylab

@@ -3,6 +3,7 @@
 #include "raylab/radiosity/form_factor/contour_form_factor.h"
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/sampling/random.h"
+#include "raylab/scene/background.h"
 
 #include <algorithm>
 #include <numbers>
@@ -34,7 +35,7 @@ FinalGather::Found FinalGather::at(std::uint32_t patch, const Vec3d& point, cons
         arriving += factor * view_.patches[i];
         filled += factor;
     }
-    if (!is_black(view_.mesh.model.scene.background)) {
+    if (sends_light(view_.mesh.model.scene.background)) {
         constexpr int rays_outside = 64;
         arriving += background_light(view_.visibility.surroundings(patch, point, rays_outside, traversal), filled);
     }

@@ -7,6 +7,7 @@
 #include "raylab/radiosity/system/read_system.h"
 #include "raylab/radiosity/system/symmetric_rows.h"
 #include "raylab/radiosity/vertex_radiosity.h"
+#include "raylab/scene/background.h"
 
 #include <fmt/format.h>
 
@@ -53,7 +54,7 @@ Surfaces surfaces(const PatchMesh& mesh) {
 // What the background sends in through the share of a patch's view that no other patch fills. The inside of a box
 // without a bottom, which the floor below it sees, lets nothing in.
 void add_background(RadiositySystem& system, const PatchMesh& mesh, const PatchVisibility& visibility, int threads) {
-    if (is_black(mesh.model.scene.background)) return;
+    if (!sends_light(mesh.model.scene.background)) return;
     constexpr int rays = 64;
     const auto sums = each_row_sum(system.form_factors, threads);
     for_each_piece(sums.size(), 64, threads, [&](std::size_t begin, std::size_t end) {

@@ -1,12 +1,12 @@
 #include "raylab/radiosity/scene_system.h"
 
 #include "raylab/base/printable.h"
+#include "raylab/scene/background.h"
 #include "raylab/scene/pigment.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 #include <variant>
 
 namespace raylab {
@@ -22,10 +22,8 @@ void check_color(const Scene& scene, const Material& material, const Color& colo
 }
 
 bool has_light(const Scene& scene) {
-    const auto is_black = [](const Color& color) { return color == Color{0, 0, 0}; };
-    const auto& [color, zenith] = std::tie(scene.background.color, scene.background.zenith);
-    return !scene.lights.empty() || !is_black(color) || (zenith && !is_black(*zenith)) ||
-           std::ranges::any_of(scene.materials, [&](const Material& m) { return !is_black(m.emission); });
+    return !scene.lights.empty() || sends_light(scene.background) ||
+           std::ranges::any_of(scene.materials, [](const Material& m) { return m.emission != Color(0); });
 }
 
 }  // namespace

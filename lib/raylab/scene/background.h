@@ -16,4 +16,10 @@ inline Color background_color(const Background& background, const Vec3f& directi
     return sky_color(background.color, *background.zenith, d.y / glm::length(d));
 }
 
+/// Whether it sends any light from where rays hit nothing.
+inline bool sends_light(const Background& background) {
+    constexpr Color black{0, 0, 0};
+    return background.color != black || background.zenith.value_or(black) != black;
+}
+
 }  // namespace raylab

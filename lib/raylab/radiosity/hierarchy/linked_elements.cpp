@@ -2,6 +2,7 @@
 
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/radiosity/solve/residual.h"
+#include "raylab/scene/background.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ void LinkedElements::look_around() {
         for (std::size_t i = first + begin; i < first + end; ++i) {
             const PatchVisibility::Part part{elements_[i].root, elements_[i].patch};
             direct_[i] = lights_.on(part, options_.light_points, traversal);
-            if (options_.rays == 0 && is_black(mesh_.model.scene.background)) continue;
+            if (options_.rays == 0 && !sends_light(mesh_.model.scene.background)) continue;
             const auto around = visibility_.surroundings(part, rays, traversal);
             if (options_.rays > 0) open_shares_[i] = around.with_patches;
             backgrounds_[i] = around.background;

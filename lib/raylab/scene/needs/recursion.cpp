@@ -1,3 +1,4 @@
+#include "raylab/scene/background.h"
 #include "raylab/scene/needs/parts.h"
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ std::optional<End> early_end(const NeedsQuestion& question) {
     if (!only) return std::nullopt;
     if (!question.shows_only_background())
         return End{2, "only " + name_of(scene, *only) + " passes light on, and no ray that leaves it hits it again"};
-    if (scene.background.color != black || scene.background.zenith.value_or(black) != black)
+    if (sends_light(scene.background))
         return End{2, name_of(scene, 0) + " is alone: a ray that leaves it hits nothing but the background"};
     return End{1, name_of(scene, 0) + " is alone: a ray that leaves it hits nothing but the black background"};
 }

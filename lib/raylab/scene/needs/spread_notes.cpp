@@ -1,3 +1,4 @@
+#include "raylab/scene/background.h"
 #include "raylab/scene/needs/spread.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace {
 // All lobes of a model that follows all of them.
 std::vector<LightPath> paths_of_all_light(const Scene& scene, const SpreadFacts& facts) {
     const bool diffuse = !facts.diffuse.empty(), specular = !(facts.mirrors.empty() && facts.glass.empty());
-    const bool surroundings = scene.background.color != black || scene.background.zenith.value_or(black) != black;
+    const bool surroundings = sends_light(scene.background);
     const bool any_light = !(facts.points.empty() && facts.area_lights.empty()) || surroundings;
     std::vector<LightPath> paths;
     if (!facts.emission.empty()) paths.push_back({"LE", "a surface that sends out light is seen itself"});
