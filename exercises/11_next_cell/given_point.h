@@ -148,7 +148,6 @@ inline bool is_parallel(const Case& question) {
 }
 inline bool is_short(const Case& question) { return glm::length(of(question).direction) < 1e-6; }
 inline bool has_tiny_cells(const Case& question) { return of(question).smallest < 1e-5; }
-inline bool has_huge_cells(const Case& question) { return of(question).smallest > 1e5; }
 inline int moving_axes(const Case& question) {
     const auto& d = of(question).direction;
     return (d.x != 0) + (d.y != 0) + (d.z != 0);

@@ -31,6 +31,9 @@ TEST_CASE("a share is a percentage, below a hundredth of a per cent parts per mi
     CHECK(share_text(0.0996) == "10 %");
     CHECK(share_text(0.811) == "81 %");
     CHECK(share_text(0.994) == "99 %");
+    CHECK(share_text(0.995) == "99.5 %");
+    CHECK(share_text(0.9951) == "99.5 %");
+    CHECK(share_text(0.9976) == "99.8 %");
     CHECK(share_text(0.99999) == "99.9 %");
     CHECK(share_text(1) == "100 %");
 }

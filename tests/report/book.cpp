@@ -56,6 +56,10 @@ BookEntry write_chapter(const fs::path& folder, const std::string& name, const C
     return read_entry(folder / name);
 }
 
+void write_book(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
+    for (const auto& [name, text] : book_files(folder, entries, facts)) write_file(folder / name, text);
+}
+
 }  // namespace
 
 TEST_CASE("a chart may not take a figure's name, whose file it would replace") {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -48,7 +49,7 @@ std::string share_text(double share) {
     if (!std::isfinite(share)) return number_text(share);
     if (share == 0) return "0";
     if (share < 9.95e-5) return fmt::format("{:.2g} ppm", 1e6 * share);
-    if (share > 0.995 && share < 1) return "99.9 %";
+    if (100 * share >= 99.5 && share < 1) return fmt::format("{:.1f} %", 100 * std::min(share, 0.999));
     return share > 0.0995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} %", 100 * share);
 }
 

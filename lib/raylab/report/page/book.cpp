@@ -106,8 +106,4 @@ std::vector<BookFile> book_files(const fs::path& folder, const std::vector<BookE
             {"search.js", search_script(index)}};
 }
 
-void write_book(const fs::path& folder, const std::vector<BookEntry>& entries, const std::vector<Fact>& facts) {
-    for (const auto& [name, text] : book_files(folder, entries, facts)) write_file(folder / name, text);
-}
-
 }  // namespace raylab

@@ -44,8 +44,4 @@ inline constexpr const char* book_mistakes = "mistakes.html";
 std::vector<BookFile> book_files(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
                                  const std::vector<Fact>& facts);
 
-/// Writes them into the folder.
-void write_book(const std::filesystem::path& folder, const std::vector<BookEntry>& entries,
-                const std::vector<Fact>& facts);
-
 }  // namespace raylab
