@@ -89,6 +89,8 @@ std::string meaning_of(int signal) {
         case SIGBUS:
             return ": it read or wrote memory that is not its own: an index beyond the end, a null pointer, or a function "
                    "that calls itself without end";
+        case SIGABRT:
+            return ": an assertion failed, which it printed, or abort() was called";
         case SIGFPE:
             return ": a whole number was divided by 0";
         case SIGXFSZ:

@@ -294,7 +294,8 @@ TEST_CASE("how a function ends is told in words that lead to the line") {
     told("beyond_the_end", "    const std::vector<double> two(2);\n    return two[asked() + 2];",
          "#include <vector>\nstatic std::size_t asked() { static volatile std::size_t zero = 0; return zero; }",
          {"Assertion '__n < this->size()' failed"});
-    told("nothing_in_it", "    std::optional<double> none;\n    return *none;", "", {"Assertion", "_M_is_engaged()"});
+    told("nothing_in_it", "    std::optional<double> none;\n    return *none;", "",
+         {"Assertion", "_M_is_engaged()", "(Aborted): an assertion failed, which it printed, or abort() was called"});
 }
 
 TEST_CASE("an answer that is no number is shown as that, with the hint for it, where it is the first wrong one") {
