@@ -11,10 +11,9 @@ namespace raylab::grading {
 
 std::string as_prairielearn(const Grade& grade) {
     const bool gradable = grade.was_asked();
-    const double whole = points_number(grade.most);
     nlohmann::ordered_json json{
         {"gradable", gradable},
-        {"score", gradable && whole > 0 ? points_number(grade.points()) / whole : 0.0},
+        {"score", gradable ? grade.share() : 0.0},
         {"message", safe_text(grade.summary, longest_message)},
         {"output", safe_text(whole_text(grade) + "\n" + conditions_text(grade), longest_output)},
         {"tests", nlohmann::ordered_json::array()}};

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t bins = 11;  // tens of per cent, and all
 
-double share_of(const Grade& grade) { return grade.most > 0 ? static_cast<double>(grade.points()) / grade.most : 0; }
-
 std::string shared_by_those_like(const Grade& grade) {
     if (!grade.hint.empty()) return grade.hint;
     if (grade.outcome != Outcome::wrong && grade.outcome != Outcome::nonfinite) return grade.summary;
@@ -73,8 +71,8 @@ AssignmentSummary summary_of(const Assignment& assignment, const std::vector<con
             ++summary.internal;
             continue;
         }
-        summary.mean += share_of(*grade);
-        ++summary.distribution[static_cast<std::size_t>(std::floor(share_of(*grade) * (bins - 1)))];
+        summary.mean += grade->share();
+        ++summary.distribution[static_cast<std::size_t>(std::floor(grade->share() * (bins - 1)))];
     }
     const auto judged = summary.graded - summary.internal;
     if (judged > 0) summary.mean *= 100.0 / static_cast<double>(judged);

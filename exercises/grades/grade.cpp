@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace raylab::grading {
 
 namespace {
 
-// The points of a part, so that equal parts have the whole's sum to the hundredth.
+// The points of a part as they are shown: rounded so that all of them together have the whole's sum.
 Hundredths share(Hundredths most, std::size_t index, std::size_t count) {
     const auto up_to = [&](std::size_t parts) {
         return static_cast<Hundredths>(static_cast<std::size_t>(most) * parts / count);
@@ -26,11 +27,21 @@ const std::string& to_string(Outcome outcome) {
     return words[static_cast<std::size_t>(outcome)];
 }
 
-Hundredths Grade::points() const {
-    Hundredths sum = 0;
-    for (const auto& part : parts) sum += part.points;
-    return std::clamp(sum, 0, most);
+double GradePart::share() const {
+    // Of few points for many parts some parts are worth less than a hundredth.
+    if (most == 0) return passed() ? 1 : 0;
+    return static_cast<double>(points) / most;
 }
+
+Hundredths Grade::points() const {
+    if (parts.empty()) return 0;
+    double shares = 0;
+    for (const auto& part : parts) shares += part.share();
+    const auto whole = std::lround(most * shares / static_cast<double>(parts.size()));
+    return std::clamp(static_cast<Hundredths>(whole), 0, most);
+}
+
+double Grade::share() const { return most > 0 ? static_cast<double>(points()) / most : 0; }
 
 bool Grade::was_asked() const {
     return outcome != Outcome::does_not_compile && outcome != Outcome::refused && outcome != Outcome::no_submission &&

@@ -34,17 +34,20 @@ enum class Outcome {
 /// "pass", "does_not_compile".
 const std::string& to_string(Outcome outcome);
 
-/// A hundredth of a point: whole numbers are finite, and their sum is exact.
+/// A hundredth of a point: whole numbers are finite, and are written as they are read.
 using Hundredths = int;
 
 /// A part of an exercise: a group of cases, or work that is counted.
 struct GradePart {
     std::string name;
     std::size_t right = 0, total = 0;  // cases; of work 0 or 1 of 1
-    Hundredths points = 0, most = 0;
-    std::string message = {};  // "37 of 40 cases right"
+    Hundredths points = 0, most = 0;   // rounded, to be shown
+    std::string message = {};          // "37 of 40 cases right"
 
     bool passed() const { return total > 0 && right == total; }
+
+    /// How much of the part counts, from 0 to 1.
+    double share() const;
 };
 
 /// The file that was graded.
@@ -84,7 +87,11 @@ struct Grade {
     double compile_seconds = 0, answer_seconds = 0;  // of the clock, of the processor
     std::string lab = {};                            // the version that graded it
 
+    /// Of equal parts. Their own points are rounded, so that a sum of these would depend on which parts are passed.
     Hundredths points() const;
+
+    /// The points as a share of the most, from 0 to 1.
+    double share() const;
     bool passed() const { return outcome == Outcome::pass; }
 
     /// Whether there was a program that could be asked: there was none where the file is missing, refused or does not

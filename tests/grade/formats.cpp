@@ -115,11 +115,34 @@ TEST_CASE("text is cut between two characters, and never longer than asked for")
 
 TEST_CASE("points are exact to the hundredth and never more than there are") {
     Grade grade{.most = 10000};
-    for (int i = 0; i < 3; ++i) grade.parts.push_back({.name = "a third", .points = 3333 + (i == 2)});
+    for (int i = 0; i < 3; ++i)
+        grade.parts.push_back({.name = "a third", .points = 3333 + (i == 2), .most = 3333 + (i == 2)});
     CHECK(points_text(grade.points()) == "100");
-    grade.parts.push_back({.name = "too much", .points = 1});
+    grade.parts.push_back({.name = "too much", .points = 2, .most = 1});
     CHECK(points_text(grade.points()) == "100");
     CHECK(points_text(3333) == "33.33");
+}
+
+TEST_CASE("a total depends on how many equal parts are passed, not on which") {
+    const auto total = [](std::size_t count, std::size_t passed, std::size_t first) {
+        Grade grade{.exercise = "02_ray_sphere", .outcome = Outcome::wrong};
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool right = (i + count - first) % count < passed;
+            grade.parts.push_back({.name = "a part", .right = right ? 1u : 0u, .total = 1});
+        }
+        grade.parts = with_equal_points(std::move(grade.parts), grade.most);
+        return grade;
+    };
+    for (std::size_t first = 0; first < 15; ++first) {
+        CHECK(points_text(total(15, 6, first).points()) == "40");
+        CHECK(points_text(total(15, 14, first).points()) == "93.33");
+        CHECK(points_text(total(15, 15, first).points()) == "100");
+    }
+    for (const std::size_t first : {0u, 7u}) {
+        const auto read = grade_from_json(json_from_text(as_json(total(15, 6, first)), "a result"), "a result");
+        CHECK(points_text(read.points()) == "40");
+        CHECK(as_prairielearn(total(15, 6, first)).find("\"score\": 0.4,") != std::string::npos);
+    }
 }
 
 TEST_CASE("an internal result gives no points and takes none") {
