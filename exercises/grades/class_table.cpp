@@ -88,16 +88,21 @@ Counted counted(const Grade* grade, const Assignment& assignment) {
 }
 
 double total_of(const StudentRow& row, const std::vector<Assignment>& assignments) {
+    const bool no_weights = std::ranges::all_of(assignments, [](const auto& one) { return one.weight == 0; });
     double sum = 0, weights = 0;
     for (std::size_t i = 0; i < assignments.size(); ++i) {
-        weights += assignments[i].weight;
+        const double weight = no_weights ? 1 : assignments[i].weight;
+        weights += weight;
         const auto* grade = row.results[i].grade;
-        if (grade && grade->most > 0) sum += assignments[i].weight * row.results[i].points / points_number(grade->most);
+        if (grade && grade->most > 0) sum += weight * row.results[i].points / points_number(grade->most);
     }
     return weights > 0 ? 100 * sum / weights : 0;
 }
 
-std::vector<Assignment> with_others(std::vector<Assignment> assignments, const std::vector<Grade>& grades) {
+std::vector<Assignment> asked_for(std::vector<Assignment> assignments, const std::vector<Grade>& grades) {
+    std::erase_if(assignments, [&](const auto& assignment) {
+        return std::ranges::find(grades, assignment.exercise->folder, &Grade::exercise) == grades.end();
+    });
     for (const auto& grade : grades) {
         const auto known = std::ranges::any_of(
             assignments, [&](const auto& assignment) { return assignment.exercise->folder == grade.exercise; });
@@ -109,7 +114,7 @@ std::vector<Assignment> with_others(std::vector<Assignment> assignments, const s
 }  // namespace
 
 ClassTable class_table(const Course& course, const std::vector<Grade>& grades) {
-    const auto assignments = with_others(course.assignments, grades);
+    const auto assignments = asked_for(course.assignments, grades);
     std::map<std::string, std::map<std::string, const Grade*>> by_exercise;
     std::set<std::string> students;
     for (const auto& grade : grades) {

@@ -51,7 +51,8 @@ struct ClassTable {
     std::vector<StudentRow> students;  // by name
 };
 
-/// `grades` outlive the table. Exercises that the course does not name count as those without weight and deadline.
+/// `grades` outlive the table. The exercises are those with results: the course's others were not asked for. Exercises
+/// that the course does not name count as those without weight and deadline; if none has a weight, all count equally.
 ClassTable class_table(const Course& course, const std::vector<Grade>& grades);
 
 std::string class_csv(const ClassTable& table);

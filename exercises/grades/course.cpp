@@ -4,6 +4,7 @@
 #include "raylab/base/file.h"
 #include "raylab/scene/toml/toml_table.h"
 
+#include <algorithm>
 #include <ctime>
 
 namespace raylab::grading {
@@ -22,9 +23,18 @@ std::optional<Moment> moment_of(const std::string& text) {
     return std::chrono::sys_days(date) + std::chrono::hours(parts.tm_hour) + std::chrono::minutes(parts.tm_min);
 }
 
+const Exercise& exercise_of(const TomlTable& table) {
+    const auto& name = table.text("number");
+    try {
+        return exercise(name);
+    } catch (const Error& unknown) {
+        throw Error(to_string(table.place("number")) + ": " + unknown.what());
+    }
+}
+
 Assignment assignment_of(const TomlTable& table) {
     table.knows_only({"number", "weight", "deadline", "late"});
-    Assignment assignment{.exercise = &exercise(table.text("number"))};
+    Assignment assignment{.exercise = &exercise_of(table)};
     constexpr double most_weight = 1e6;
     assignment.weight = table.number("weight", most_weight, "a number from 0 to 1e6").value_or(1);
     assignment.late = table.number("late", 1, "a share from 0 to 1").value_or(0);
@@ -45,8 +55,17 @@ Course read_course(const std::filesystem::path& path) {
     table.knows_only({"title", "exercise"});
     Course course;
     if (const auto* title = table.find<std::string>("title", "a text")) course.title = *title;
-    for (const auto& exercise : table.tables("exercise")) course.assignments.push_back(assignment_of(exercise));
+    for (const auto& exercise : table.tables("exercise")) {
+        const auto assignment = assignment_of(exercise);
+        // Both would have the same results.
+        if (std::ranges::find(course.assignments, assignment.exercise, &Assignment::exercise) !=
+            course.assignments.end())
+            exercise.fail("number", "an exercise of its own");
+        course.assignments.push_back(assignment);
+    }
     if (course.assignments.empty()) throw Error({file}, "an [[exercise]]", "none");
+    if (std::ranges::all_of(course.assignments, [](const auto& assignment) { return assignment.weight == 0; }))
+        throw Error({file}, "a weight above 0", "none, so that there would be no total");
     return course;
 }
 

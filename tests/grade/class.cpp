@@ -85,6 +85,16 @@ TEST_CASE("a total is the mean by weights, of what counts after the deadline") {
     CHECK(table.assignments[0].mean == 75);
 }
 
+TEST_CASE("a total is over the exercises that were asked for, and over equal ones where these have no weight") {
+    const auto course = course_of("[[exercise]]\nnumber = \"02\"\nweight = 3\n"
+                                  "[[exercise]]\nnumber = \"03\"\nweight = 0\n");
+    const std::vector<Grade> spheres_alone{made("a", "02_ray_sphere", 10000, Outcome::pass)};
+    CHECK(class_table(course, spheres_alone).assignments.size() == 1);
+    CHECK(class_table(course, spheres_alone).students[0].total == 100);
+    const std::vector<Grade> triangles_alone{made("a", "03_ray_triangle", 8000, Outcome::wrong)};
+    CHECK(class_table(course, triangles_alone).students[0].total == 80);
+}
+
 TEST_CASE("submissions are alike by their hint, or else by their answers, and the largest group comes first") {
     const std::string e = "02_ray_sphere";
     const std::vector<Grade> grades{made("a", e, 0, Outcome::wrong, "far_root", "1"),
@@ -146,6 +156,10 @@ TEST_CASE("what a course.toml lacks or has too much is an Error with its line") 
     for (const std::string date : {"2026-02-30 23:59", "2026-04-31 12:00", "2027-02-29 00:00"})
         refused("[[exercise]]\nnumber = \"02\"\ndeadline = \"" + date + "\"", ":3: expected deadline to be a moment");
     refused("[[exercise]]\nnumber = \"02\"\nlatte = 1", ":3: expected one of the keys");
+    refused("[[exercise]]\nnumber = \"77\"", "course_trial.toml:2: expected an exercise");
+    refused("[[exercise]]\nnumber = \"02\"\n[[exercise]]\nnumber = \"02_ray_sphere\"",
+            "course_trial.toml:4: expected number to be an exercise of its own");
+    refused("[[exercise]]\nnumber = \"02\"\nweight = 0", "course_trial.toml: expected a weight above 0");
 }
 
 TEST_CASE("a student has one entry, which may hold several exercises") {

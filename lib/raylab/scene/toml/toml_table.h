@@ -92,6 +92,12 @@ public:
                 throw Error({file_, entry.line}, fmt::format("one of the keys {}", fmt::join(keys, ", ")), entry.name);
     }
 
+    /// Where the key stands, or the table that lacks it.
+    Place place(std::string_view key) const {
+        const auto* found = entry(key);
+        return {file_, found ? found->line : value_->line};
+    }
+
     /// Refuses what the key holds, or that it is absent.
     [[noreturn]] void fail(std::string_view key, const std::string& expected) const {
         if (const auto* found = entry(key)) fail(*found, expected);
