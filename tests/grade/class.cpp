@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -175,6 +176,20 @@ TEST_CASE("a student has one entry, which may hold several exercises") {
     write_file(folder / "ann.cpp", "");
     CHECK_THROWS_WITH(handed_in(folder, one),
                       Catch::Contains("ann.cpp: expected one entry for each student, found two of ann"));
+}
+
+TEST_CASE("a report does not lie among the submissions, where the next run would take it for one") {
+    const auto folder = class_folder / "among";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "ann");
+    for (const std::string report : {"among", "among/", "among/report", "odd/../among/deep/report"}) {
+        const auto refused = run_class({"02", "--class", "among", "-o", report});
+        INFO(report << "\n" << refused.output << refused.errors);
+        CHECK(refused.code == 2);
+        CHECK(says(refused, "expected a report outside of the class's folder among"));
+        CHECK(std::distance(fs::directory_iterator(folder), {}) == 1);
+    }
+    CHECK(run_class({"02", "--class", "among", "-o", "among/../among_report"}).code == 0);
 }
 
 TEST_CASE("a class is graded once, goes on where it was stopped, and in parts gives the same") {

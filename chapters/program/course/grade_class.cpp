@@ -7,6 +7,7 @@
 #include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/output_place.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 
@@ -30,6 +31,12 @@ fs::path report_folder(const Arguments& arguments) {
     const fs::path folder = arguments.text("--output");
     if (folder == "-") throw Error("expected -o REPORT, the folder of the class's report, found none");
     return folder;
+}
+
+// Among the submissions the next run would take the report for a student's.
+void refuse_report_in(const fs::path& folder, const fs::path& report) {
+    if (const auto place = fs::weakly_canonical(report); same_file(place, folder) || lies_in(place, folder))
+        throw Error({report.string()}, "a report outside of the class's folder " + folder.string(), "one in it");
 }
 
 // What the folder's course.toml says, of all its exercises or of the one that is asked for.
@@ -161,6 +168,7 @@ ExitCode grade_class(const Arguments& arguments) {
     // A report among the submissions would replace one, or be graded as one the next time.
     const Outputs planned({.folders = {terms.report}, .inputs = {folder}});
     const auto all = handed_in(folder, course);
+    refuse_report_in(folder, terms.report);
     write_file(terms.report / list_of_submissions, listed(all, terms));
     if (fs::exists(folder / "course.toml")) write_file(terms.report / "course.toml", read_file(folder / "course.toml"));
     if (terms.pseudonyms) write_names(all, terms);
