@@ -48,6 +48,7 @@ Json to_json(const ClassTable& table, const StudentRow& row) {
             {"max_score", points_number(result.grade->most)},
             {"counted", result.points},
             {"late", result.late},
+            {"lost", result.lost},
             {"hint_id", result.grade->hint_id},
             {"seed", result.grade->seed ? Json(*result.grade->seed) : Json(nullptr)}};
     }

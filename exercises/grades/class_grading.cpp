@@ -34,7 +34,7 @@ namespace {
 constexpr double patience_for_one = 600;
 
 fs::path result_file(const HandedIn& handed, const ClassTerms& terms) {
-    return terms.report / "results" / handed.exercise / (name_in_report(handed.student, terms) + ".json");
+    return terms.report / "results" / handed.exercise / (name_in_report(handed.student, terms) + result_extension);
 }
 
 std::optional<Grade> earlier_result(const fs::path& file) {
@@ -184,18 +184,6 @@ ClassRun grade_class(const std::vector<HandedIn>& submissions, const ClassTerms&
         grade_one(submissions[begin], terms, prepared.path(), counts);
     });
     return std::move(counts).sorted();
-}
-
-std::vector<Grade> results_in(const fs::path& report) {
-    std::vector<fs::path> files;
-    const auto folder = report / "results";
-    if (fs::is_directory(folder))
-        for (const auto& entry : fs::recursive_directory_iterator(folder))
-            if (entry.is_regular_file() && entry.path().extension() == ".json") files.push_back(entry.path());
-    std::ranges::sort(files);
-    std::vector<Grade> grades;
-    for (const auto& file : files) grades.push_back(grade_from_json(read_json(file), file.string()));
-    return grades;
 }
 
 }  // namespace raylab::grading

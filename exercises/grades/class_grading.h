@@ -25,6 +25,9 @@ struct HandedIn {
 /// entries, links and course.toml are none.
 std::vector<HandedIn> handed_in(const std::filesystem::path& folder, const Course& course);
 
+/// A result is STUDENT.json.
+constexpr const char* result_extension = ".json";
+
 /// How a class is graded.
 struct ClassTerms {
     std::filesystem::path report;       // results go to REPORT/results/EXERCISE/STUDENT.json
@@ -47,8 +50,5 @@ ClassRun grade_class(const std::vector<HandedIn>& submissions, const ClassTerms&
 
 /// The name under which a student's results are kept.
 std::string name_in_report(const std::string& student, const ClassTerms& terms);
-
-/// All results in a report, in order. A file that is none is an Error that names it.
-std::vector<Grade> results_in(const std::filesystem::path& report);
 
 }  // namespace raylab::grading

@@ -103,8 +103,8 @@ std::string assignment_html(const ClassTable& table, const AssignmentSummary& su
 std::string points_cell(const Counted& counted) {
     if (!counted.grade) return "&ndash;";
     if (counted.grade->outcome == Outcome::internal) return "<strong>not graded</strong>";
-    return fmt::format("{:.2f} <small>{}{}</small>", counted.points, to_string(counted.grade->outcome),
-                       counted.late ? ", late" : "");
+    return fmt::format("{:.2f} <small>{}{}{}</small>", counted.points, to_string(counted.grade->outcome),
+                       counted.late ? ", late" : "", counted.lost ? ", no longer in the class" : "");
 }
 
 std::string students_table(const ClassTable& table) {

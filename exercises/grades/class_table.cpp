@@ -79,9 +79,9 @@ AssignmentSummary summary_of(const Assignment& assignment, const std::vector<con
     return summary;
 }
 
-Counted counted(const Grade* grade, const Assignment& assignment) {
+Counted counted(const Grade* grade, const Assignment& assignment, const SubmissionList& list) {
     if (!grade) return {};
-    Counted result{.grade = grade};
+    Counted result{.grade = grade, .lost = list.has_lost(*grade)};
     result.late = assignment.deadline && grade->submitted.modified > to_string(*assignment.deadline);
     result.points = points_number(grade->points()) * (result.late ? assignment.late : 1);
     return result;
@@ -113,7 +113,7 @@ std::vector<Assignment> asked_for(std::vector<Assignment> assignments, const std
 
 }  // namespace
 
-ClassTable class_table(const Course& course, const std::vector<Grade>& grades) {
+ClassTable class_table(const Course& course, const std::vector<Grade>& grades, const SubmissionList& list) {
     const auto assignments = asked_for(course.assignments, grades);
     std::map<std::string, std::map<std::string, const Grade*>> by_exercise;
     std::set<std::string> students;
@@ -132,7 +132,7 @@ ClassTable class_table(const Course& course, const std::vector<Grade>& grades) {
         for (const auto& assignment : assignments) {
             const auto& of_it = by_exercise[assignment.exercise->folder];
             const auto found = of_it.find(student);
-            row.results.push_back(counted(found == of_it.end() ? nullptr : found->second, assignment));
+            row.results.push_back(counted(found == of_it.end() ? nullptr : found->second, assignment, list));
         }
         row.total = total_of(row, assignments);
         table.students.push_back(std::move(row));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "class_grading.h"
+#include "submission_list.h"
 
 #include <map>
 #include <string>
@@ -14,6 +15,7 @@ namespace raylab::grading {
 struct Counted {
     const Grade* grade = nullptr;  // null: nothing was handed in, or not graded yet
     bool late = false;
+    bool lost = false;  // its submission is no longer in the class
     double points = 0;  // after what lateness costs
 };
 
@@ -51,9 +53,10 @@ struct ClassTable {
     std::vector<StudentRow> students;  // by name
 };
 
-/// `grades` outlive the table. The exercises are those with results: the course's others were not asked for. Exercises
-/// that the course does not name count as those without weight and deadline; if none has a weight, all count equally.
-ClassTable class_table(const Course& course, const std::vector<Grade>& grades);
+/// `grades` outlive the table; of those that `list` has lost it says so. The exercises are those with results: the
+/// course's others were not asked for. Exercises that the course does not name count as those without weight and
+/// deadline; if none has a weight, all count equally.
+ClassTable class_table(const Course& course, const std::vector<Grade>& grades, const SubmissionList& list = {});
 
 std::string class_csv(const ClassTable& table);
 std::string class_json(const ClassTable& table);

@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include "class_table.h"
+#include "formats.h"
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
@@ -190,6 +191,41 @@ TEST_CASE("a report does not lie among the submissions, where the next run would
         CHECK(std::distance(fs::directory_iterator(folder), {}) == 1);
     }
     CHECK(run_class({"02", "--class", "among", "-o", "among/../among_report"}).code == 0);
+}
+
+TEST_CASE("reports that cannot be merged leave nothing, and the message names the part") {
+    const std::string alice = "results/02_ray_sphere/alice.json";
+    for (const auto* report : {"good", "bad", "other", "none"}) fs::remove_all(class_folder / report);
+    write_file(class_folder / "good" / alice, as_json(made("alice", "02_ray_sphere", 10000, Outcome::pass)));
+    write_file(class_folder / "good/results/02_ray_sphere/bob.json",
+               as_json(made("bob", "02_ray_sphere", 0, Outcome::wrong)));
+    write_file(class_folder / "bad" / alice, "{\"format\": \"raylab.res");
+    write_file(class_folder / "other" / alice, as_json(made("alice", "02_ray_sphere", 0, Outcome::wrong)));
+    const auto refused = [](const std::string& first, const std::string& second, const std::string& words) {
+        const auto process = run_class({"--merge", first, second, "-o", "none"});
+        INFO(process.output << process.errors);
+        CHECK(process.code == 2);
+        CHECK(says(process, words));
+        CHECK(!fs::exists(class_folder / "none"));
+    };
+    refused("bad", "good", "bad/" + alice + ":1 byte 22: expected JSON");
+    refused("good", "bad", "bad/" + alice + ":1 byte 22: expected JSON");
+    refused("good", "other", "other/" + alice + ": expected the same result as in good/" + alice + ", found another");
+    refused("good", "odd", "odd: expected a report with results, found none");
+}
+
+TEST_CASE("a result whose student is no longer in the class says so") {
+    for (const auto* name : {"leaving", "left"}) fs::remove_all(class_folder / name);
+    fs::create_directories(class_folder / "leaving/ann");
+    fs::create_directories(class_folder / "leaving/bob");
+    const std::vector<std::string> words{"02", "--class", "leaving", "-o", "left", "--seed", "7"};
+    CHECK(!says(run_class(words), "no longer"));
+    fs::remove(class_folder / "leaving/bob");
+    CHECK(says(run_class(words), "no longer in the class, but in its report: 02_ray_sphere/bob"));
+    const auto page = read_file(class_folder / "left/index.html");
+    const auto rows = page.substr(page.find("<h2>Students</h2>"));
+    CHECK(rows.find("no_submission, no longer in the class") != std::string::npos);
+    CHECK(rows.find("no longer in the class") == rows.rfind("no longer in the class"));
 }
 
 TEST_CASE("a class is graded once, goes on where it was stopped, and in parts gives the same") {

@@ -1,5 +1,6 @@
 #include "course/grade.h"
 
+#include "class_report.h"
 #include "class_table.h"
 #include "seeds.h"
 #include "spreadsheet.h"
@@ -16,7 +17,6 @@
 #include <array>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 namespace raylab {
 
@@ -24,8 +24,6 @@ namespace fs = std::filesystem;
 using namespace grading;
 
 namespace {
-
-const char* const list_of_submissions = "submissions.txt";
 
 fs::path report_folder(const Arguments& arguments) {
     const fs::path folder = arguments.text("--output");
@@ -79,12 +77,6 @@ std::vector<HandedIn> part_of(const std::vector<HandedIn>& all, const Arguments&
     return mine;
 }
 
-std::string listed(const std::vector<HandedIn>& all, const ClassTerms& terms) {
-    std::string text;
-    for (const auto& handed : all) text += handed.exercise + "/" + name_in_report(handed.student, terms) + "\n";
-    return text;
-}
-
 // Who is who, beside the report and for the course alone: nobody else may enter the folder in which the file waits for
 // its mode and its place.
 void write_names(const std::vector<HandedIn>& all, const ClassTerms& terms) {
@@ -105,18 +97,22 @@ void write_names(const std::vector<HandedIn>& all, const ClassTerms& terms) {
     outputs.commit();
 }
 
-// Tables and pages, put in place together.
-void write_report(const fs::path& report) {
-    const auto file = report / "course.toml";
-    const auto grades = results_in(report);
-    const auto table = class_table(fs::exists(file) ? read_course(file) : Course{}, grades);
-    Outputs outputs({.folders = {report}});
+void write_pages(const fs::path& folder, const ClassReport& report) {
+    const auto table = class_table(report.course, report.grades, report.list);
+    write_file(folder / "grades.csv", class_csv(table));
+    write_file(folder / "grades.json", class_json(table));
+    write_file(folder / "index.html", class_page(table));
+    for (const auto& row : table.students) write_file(folder / page_of(table, row), student_page(table, row));
+}
+
+// Tables and pages, put in place together with the files that lie in other reports.
+void write_report(const fs::path& folder, const ClassReport& report) {
+    Outputs outputs({.folders = {folder}});
     outputs.naming_folders([&] {
-        const auto staged = outputs.staged(report).path;
-        write_file(staged / "grades.csv", class_csv(table));
-        write_file(staged / "grades.json", class_json(table));
-        write_file(staged / "index.html", class_page(table));
-        for (const auto& row : table.students) write_file(staged / page_of(table, row), student_page(table, row));
+        const auto staged = outputs.staged(folder).path;
+        for (const auto& [place, file] : report.files)
+            if (file.report != folder) write_file(staged / place, file.text);
+        write_pages(staged, report);
     });
     outputs.commit();
 }
@@ -132,31 +128,22 @@ std::string words_of(const ClassRun& run) {
     return text + "\n";
 }
 
-// The results of several reports in one. What two of them have, they agree on.
-void gather(const std::vector<std::string>& parts, const fs::path& report) {
-    for (const fs::path part : parts) {
-        if (!fs::is_directory(part / "results")) throw Error({part.string()}, "a report with results", "none");
-        if (fs::exists(report) && fs::equivalent(part, report)) continue;
-        for (const auto& entry : fs::recursive_directory_iterator(part / "results")) {
-            if (!entry.is_regular_file() || entry.path().extension() != ".json") continue;
-            const auto target = report / entry.path().lexically_relative(part);
-            const auto text = read_file(entry.path());
-            if (fs::exists(target) && read_file(target) != text)
-                throw Error({entry.path().string()}, "the same result as in " + target.string(), "another");
-            write_file(target, text);
-        }
-        for (const auto* name : {list_of_submissions, "course.toml"})
-            if (fs::exists(part / name)) write_file(report / name, read_file(part / name));
-    }
+// What to do about it depends on why, so results are kept.
+std::string words_of_lost(const ClassReport& report) {
+    std::string text;
+    for (const auto& grade : report.grades)
+        if (report.list.has_lost(grade))
+            text += "no longer in the class, but in its report: " + line_of(grade.exercise, grade.student) + "\n";
+    return text;
 }
 
-std::vector<std::string> missing_in(const fs::path& report) {
-    std::vector<std::string> missing;
-    if (!fs::exists(report / list_of_submissions)) return missing;
-    std::istringstream lines(read_file(report / list_of_submissions));
-    for (std::string line; std::getline(lines, line);)
-        if (!fs::exists(report / "results" / (line + ".json"))) missing.push_back(line);
-    return missing;
+// The report first, if there is one already: its own files stay as they are.
+std::vector<fs::path> reports_for(const fs::path& report, const std::vector<std::string>& parts) {
+    std::vector<fs::path> reports;
+    if (fs::is_directory(report / "results")) reports.push_back(report);
+    for (const fs::path part : parts)
+        if (!fs::exists(report) || !fs::equivalent(part, report)) reports.push_back(part);
+    return reports;
 }
 
 }  // namespace
@@ -169,7 +156,7 @@ ExitCode grade_class(const Arguments& arguments) {
     const Outputs planned({.folders = {terms.report}, .inputs = {folder}});
     const auto all = handed_in(folder, course);
     refuse_report_in(folder, terms.report);
-    write_file(terms.report / list_of_submissions, listed(all, terms));
+    write_file(terms.report / list_of_submissions, list_text(all, terms));
     if (fs::exists(folder / "course.toml")) write_file(terms.report / "course.toml", read_file(folder / "course.toml"));
     if (terms.pseudonyms) write_names(all, terms);
     const auto run = grade_class(part_of(all, arguments), terms);
@@ -177,7 +164,9 @@ ExitCode grade_class(const Arguments& arguments) {
     if (arguments.has("--part")) {
         text += "then, when all parts are done: raylab grade --merge " + terms.report.string() + "\n";
     } else {
-        write_report(terms.report);
+        const auto report = read_reports({terms.report});
+        write_report(terms.report, report);
+        text += words_of_lost(report);
         text += "the report: " + (terms.report / "index.html").string() + "\n";
     }
     print_text(text);
@@ -190,9 +179,9 @@ ExitCode merge_reports(const Arguments& arguments) {
     const auto given = arguments.text("--output");
     if (given == "-" && parts.size() > 1) throw Error("expected -o REPORT for several parts, found none");
     const fs::path report = given == "-" ? parts.front() : given;
-    gather(parts, report);
-    const auto missing = missing_in(report);
-    write_report(report);
+    const auto merged = read_reports(reports_for(report, parts));
+    const auto missing = merged.list.without_result(merged.grades);
+    write_report(report, merged);
     std::string text = "the report: " + (report / "index.html").string() + "\n";
     for (const auto& name : missing) text += "not graded yet: " + name + "\n";
     print_text(text);
