@@ -20,9 +20,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <climits>
 #include <map>
 #include <mutex>
 #include <set>
+#include <string_view>
 
 namespace raylab::grading {
 
@@ -59,14 +61,29 @@ bool has_other_cases(const Grade& grade) {
 
 // Whether what was graded then is what would be graded now.
 bool still_holds(const Grade& grade, const HandedIn& handed, const ClassTerms& terms) {
-    if (grade.outcome == Outcome::internal || grade.submitted.sha256.empty()) return false;
+    if (grade.outcome == Outcome::internal || grade.submitted.sha256.empty() || !handed.fault.empty()) return false;
     if ((terms.seed || terms.key) && grade.seed != seed_for(handed, terms)) return false;
     const auto now = find_submission(exercise(handed.exercise), handed.path);
     return now.submitted.sha256 == grade.submitted.sha256;
 }
 
 std::string student_of(const fs::path& entry) {
-    return (fs::is_directory(entry) ? entry.filename() : entry.stem()).string();
+    std::error_code lost;  // a link that leads nowhere
+    return (fs::is_directory(entry, lost) ? entry.filename() : entry.stem()).string();
+}
+
+std::string fault_of(const fs::path& entry) {
+    const auto kind = fs::symlink_status(entry);
+    if (fs::is_symlink(kind)) return "the entry is a link, which is not followed";
+    return fs::is_regular_file(kind) || fs::is_directory(kind) ? "" : "the entry is neither a file nor a folder";
+}
+
+void refuse_long_names(const std::vector<fs::path>& entries) {
+    constexpr auto longest = NAME_MAX - std::string_view(result_extension).size();
+    for (const auto& entry : entries)
+        if (const auto bytes = student_of(entry).size(); bytes > longest)
+            throw Error({entry.string()}, fmt::format("a student's name of at most {} bytes", longest),
+                        fmt::format("one of {}", bytes));
 }
 
 // A student's second entry would be graded into the first one's result. Other names may stand between the two.
@@ -96,6 +113,7 @@ Grade graded_apart(const HandedIn& handed, std::uint64_t seed, const ClassTerms&
                                    "--student",    name_in_report(handed.student, terms),
                                    "--seed",       std::to_string(seed),
                                    "--prepared",   prepared.string(),
+                                   "--points",     std::to_string(terms.most / 100),
                                    "--format",     "json",
                                    "-o",           file.string()};
     words.insert(words.end(), terms.words.begin(), terms.words.end());
@@ -105,6 +123,13 @@ Grade graded_apart(const HandedIn& handed, std::uint64_t seed, const ClassTerms&
     grade.student = name_in_report(handed.student, terms);
     grade.summary = failure_of("the grader", result);
     write_file(file, as_json(grade));
+    return grade;
+}
+
+Grade not_graded(const HandedIn& handed, std::uint64_t seed, const ClassTerms& terms) {
+    auto grade = without_submission(exercise(handed.exercise), seed, terms.most, handed.fault);
+    grade.student = name_in_report(handed.student, terms);
+    write_file(result_file(handed, terms), as_json(grade));
     return grade;
 }
 
@@ -144,7 +169,8 @@ void grade_one(const HandedIn& handed, const ClassTerms& terms, const fs::path& 
     const bool other_cases = holds && has_other_cases(*before);
     if (holds && !(other_cases && terms.regrade)) return counts.count_kept(other_cases);
     const auto seed = other_cases ? *before->seed : seed_for(handed, terms);
-    counts.count_graded(graded_apart(handed, seed, terms, prepared), before);
+    counts.count_graded(
+        handed.fault.empty() ? graded_apart(handed, seed, terms, prepared) : not_graded(handed, seed, terms), before);
 }
 
 }  // namespace
@@ -159,20 +185,21 @@ std::vector<HandedIn> handed_in(const fs::path& folder, const Course& course) {
     if (!fs::is_directory(folder)) throw Error({folder.string()}, "a folder of submissions", "none");
     std::vector<fs::path> entries;
     for (const auto& entry : fs::directory_iterator(folder)) {
-        const bool is_file = entry.is_regular_file() && !entry.is_symlink();
-        const bool is_folder = entry.is_directory() && !entry.is_symlink();
         const auto name = entry.path().filename().string();
-        if (name.starts_with(".") || name == "course.toml" || !(is_file || is_folder)) continue;
-        if (is_file && course.assignments.size() > 1)
+        if (name.starts_with(".") || name == "course.toml") continue;
+        if (fs::is_regular_file(entry.symlink_status()) && course.assignments.size() > 1)
             throw Error({entry.path().string()}, "a folder for each student, since there are several exercises",
                         "a file");
         entries.push_back(entry.path());
     }
+    if (entries.empty()) throw Error({folder.string()}, "a submission", "none");
     std::ranges::sort(entries);
     refuse_second_entries(entries);
+    refuse_long_names(entries);
     std::vector<HandedIn> all;
     for (const auto& assignment : course.assignments)
-        for (const auto& entry : entries) all.push_back({student_of(entry), assignment.exercise->folder, entry});
+        for (const auto& entry : entries)
+            all.push_back({student_of(entry), assignment.exercise->folder, entry, fault_of(entry)});
     return all;
 }
 

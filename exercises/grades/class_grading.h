@@ -19,10 +19,12 @@ struct HandedIn {
     std::string student;
     std::string exercise;  // its folder
     std::filesystem::path path;
+    std::string fault = {};  // a sentence: why it is not looked at; empty: it is
 };
 
-/// The submissions in a folder, in order: each entry is a student's, a folder or, for one exercise, a file. Hidden
-/// entries, links and course.toml are none.
+/// The submissions in a folder, in order: each entry is a student's, a folder or, for one exercise, a file; another,
+/// such as a link, is a student's with a fault. Hidden entries and course.toml are none. It throws an Error where there
+/// is none, and for names that cannot be told apart or are too long to be those of results.
 std::vector<HandedIn> handed_in(const std::filesystem::path& folder, const Course& course);
 
 /// A result is STUDENT.json.
@@ -31,7 +33,8 @@ constexpr const char* result_extension = ".json";
 /// How a class is graded.
 struct ClassTerms {
     std::filesystem::path report;       // results go to REPORT/results/EXERCISE/STUDENT.json
-    std::vector<std::string> words;     // for each `raylab grade`: --points, --isolation
+    std::vector<std::string> words;     // for each `raylab grade`: --isolation
+    Hundredths most = 10000;            // for an answer that passes
     std::optional<std::string> key;     // for seeds, and for pseudonyms where those are asked for
     std::optional<std::uint64_t> seed;  // the same for all
     bool pseudonyms = false;

@@ -182,7 +182,25 @@ void add_answers(Grade& grade, const Exercise& exercise, const Workplace& workpl
         grade.fingerprint = fingerprint_of(exercise, workplace);
 }
 
+Grade begun(const Exercise& exercise, std::uint64_t seed, Hundredths most) {
+    const auto cases = exercise.cases(seed);
+    Grade grade{.exercise = exercise.folder, .parts = no_parts(exercise, cases, most), .most = most};
+    grade.seed = seed;
+    grade.cases_sha256 = cases_sha256(exercise, cases);
+    grade.lab = lab_version();
+    grade.began = to_string(now());
+    return grade;
+}
+
 }  // namespace
+
+Grade without_submission(const Exercise& exercise, std::uint64_t seed, Hundredths most, const std::string& reason) {
+    auto grade = begun(exercise, seed, most);
+    grade.outcome = Outcome::no_submission;
+    grade.summary = reason;
+    grade.ended = to_string(now());
+    return grade;
+}
 
 std::string cases_sha256(const Exercise& exercise, const std::vector<Case>& cases) {
     std::string bytes;
@@ -198,13 +216,8 @@ std::string cases_sha256(const Exercise& exercise, const std::vector<Case>& case
 }
 
 Grade official_grade(const Exercise& exercise, const std::filesystem::path& file_or_folder, const Terms& terms) {
-    const auto cases = exercise.cases(terms.seed);
-    Grade grade{.exercise = exercise.folder, .parts = no_parts(exercise, cases, terms.most), .most = terms.most};
-    grade.seed = terms.seed;
+    auto grade = begun(exercise, terms.seed, terms.most);
     grade.isolation = terms.isolation;
-    grade.cases_sha256 = cases_sha256(exercise, cases);
-    grade.lab = lab_version();
-    grade.began = to_string(now());
     auto submission = find_submission(exercise, file_or_folder);
     grade.submitted = std::move(submission.submitted);
     if (!submission.fault.empty()) {

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -177,6 +179,55 @@ TEST_CASE("a student has one entry, which may hold several exercises") {
     write_file(folder / "ann.cpp", "");
     CHECK_THROWS_WITH(handed_in(folder, one),
                       Catch::Contains("ann.cpp: expected one entry for each student, found two of ann"));
+}
+
+TEST_CASE("a name that leaves no room for that of its result is refused before anything is graded") {
+    const auto folder = class_folder / "long";
+    fs::remove_all(folder);
+    const auto one = course_of("[[exercise]]\nnumber = \"02\"\n");
+    write_file(folder / (std::string(250, 'a') + ".cpp"), "");
+    CHECK(handed_in(folder, one).size() == 1);
+    write_file(folder / (std::string(251, 'b') + ".cpp"), "");
+    CHECK_THROWS_WITH(handed_in(folder, one),
+                      Catch::Contains("bbb.cpp: expected a student's name of at most 250 bytes, "
+                                      "found one of 251"));
+}
+
+TEST_CASE("what is no submission has a result that says so, and a class without any is refused") {
+    const auto folder = class_folder / "odd";
+    fs::remove_all(folder);
+    fs::remove_all(class_folder / "odd_report");
+    fs::create_directories(folder / "two\nlines");
+    fs::create_symlink(spheres + "right/geometric.cpp", folder / "linked.cpp");
+    fs::create_symlink("lost", folder / "lost");
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const auto done = run_class({"02", "--class", "odd", "-o", "odd_report", "--seed", "7", "--points", "50"});
+    INFO(done.output << done.errors);
+    CHECK(done.code == 0);
+    CHECK(says(done, "4 submissions graded"));
+    const auto result = [](const std::string& student) {
+        return read_json(class_folder / "odd_report/results/02_ray_sphere" / (student + ".json"));
+    };
+    for (const auto* link : {"linked", "lost"}) {
+        CHECK(result(link)["verdict"] == "no_submission");
+        CHECK(result(link)["summary"] == std::string("the entry is a link, which is not followed"));
+        CHECK(result(link)["student"] == link);
+        CHECK(result(link)["max_score"] == 50.0);
+        CHECK(result(link)["tests"].size() == result("two\nlines")["tests"].size());
+    }
+    CHECK(result("pipe")["verdict"] == "no_submission");
+
+    // A name of two lines is found again in the list of a report's submissions.
+    const auto merged = run_class({"--merge", "odd_report"});
+    INFO(merged.output << merged.errors);
+    CHECK(merged.code == 0);
+
+    fs::remove_all(class_folder / "nobody_report");
+    fs::create_directories(class_folder / "nobody/.hidden");
+    const auto nobody = run_class({"02", "--class", "nobody", "-o", "nobody_report"});
+    CHECK(nobody.code == 2);
+    CHECK(says(nobody, "nobody: expected a submission, found none"));
+    CHECK(!fs::exists(class_folder / "nobody_report"));
 }
 
 TEST_CASE("a report does not lie among the submissions, where the next run would take it for one") {

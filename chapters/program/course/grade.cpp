@@ -74,8 +74,7 @@ bool asks_for_pictures(const Arguments& arguments) {
 }
 
 Grade graded(const Arguments& arguments) {
-    constexpr long long most_points = 100'000;
-    const auto most = static_cast<Hundredths>(100 * arguments.integer("--points", 1, most_points));
+    const auto most = points_asked_for(arguments);
     if (asks_for_pictures(arguments)) return graded_pictures(arguments, official_isolation(arguments), most);
     const auto& exercise = grading::exercise(arguments.text("NN"));
     const Terms terms{official_seed(arguments, exercise), official_isolation(arguments), most,
@@ -86,6 +85,11 @@ Grade graded(const Arguments& arguments) {
 }
 
 }  // namespace
+
+Hundredths points_asked_for(const Arguments& arguments) {
+    constexpr long long most_points = 100'000;
+    return static_cast<Hundredths>(100 * arguments.integer("--points", 1, most_points));
+}
 
 ExitCode grade_command(const std::vector<std::string>& words) {
     const auto arguments = parse(grade_command_line, words);

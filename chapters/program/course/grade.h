@@ -10,6 +10,9 @@
 
 namespace raylab {
 
+/// What an answer that passes is worth: --points.
+grading::Hundredths points_asked_for(const Arguments& arguments);
+
 /// `raylab grade --class FOLDER -o REPORT`: all submissions of a class, or of a part of it.
 ExitCode grade_class(const Arguments& arguments);
 

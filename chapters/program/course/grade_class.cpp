@@ -52,9 +52,8 @@ Course course_in(const fs::path& folder, const Arguments& arguments) {
 }
 
 ClassTerms terms_of(const Arguments& arguments) {
-    ClassTerms terms{.report = report_folder(arguments)};
-    for (const auto* option : {"--points", "--isolation"})
-        if (const auto value = arguments.text_if_given(option)) terms.words.insert(terms.words.end(), {option, *value});
+    ClassTerms terms{.report = report_folder(arguments), .most = points_asked_for(arguments)};
+    if (const auto level = arguments.text_if_given("--isolation")) terms.words = {"--isolation", *level};
     if (const auto key = arguments.text_if_given("--key")) terms.key = read_course_key(*key);
     terms.seed = seed_if_given(arguments);
     terms.pseudonyms = arguments.has("--pseudonyms");
