@@ -26,7 +26,7 @@ constexpr int deepest_folder = 8;
 constexpr std::size_t named_files = 4;
 
 struct Files {
-    std::vector<fs::path> all;  // regular files, in order
+    std::vector<fs::path> all, links;  // regular files, and what is not followed; in order
     bool too_many = false;
 };
 
@@ -38,9 +38,12 @@ Files files_in(const fs::path& folder) {
         if (++looked_at > most_entries) return files.too_many = true, files;
         if (entry.depth() >= deepest_folder) entry.disable_recursion_pending();
         std::error_code gone;
-        if (fs::is_regular_file(entry->symlink_status(gone))) files.all.push_back(entry->path());
+        const auto kind = entry->symlink_status(gone);
+        if (fs::is_regular_file(kind)) files.all.push_back(entry->path());
+        if (fs::is_symlink(kind)) files.links.push_back(entry->path());
     }
     std::ranges::sort(files.all);
+    std::ranges::sort(files.links);
     return files;
 }
 
@@ -69,6 +72,21 @@ bool is_anothers(const Exercise& asked, const fs::path& file) {
     });
 }
 
+std::string in_small_letters(std::string text) {
+    for (char& letter : text)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return text;
+}
+
+std::string words_of_missing(const std::string& wanted, const Files& files, const fs::path& folder) {
+    auto words = fmt::format("expected a file {}, found {}", wanted,
+                             files.all.empty() ? "no file" : names_of(files.all, folder));
+    const auto is_nearly = [&](const fs::path& file) { return in_small_letters(file.filename().string()) == wanted; };
+    if (std::ranges::any_of(files.all, is_nearly)) words += "; small letters and capitals differ";
+    if (!files.links.empty()) words += "; not followed, since it is a link: " + names_of(files.links, folder);
+    return words;
+}
+
 Submission in_folder(const Exercise& exercise, const fs::path& folder) {
     const auto wanted = exercise.slot + ".cpp";
     const auto files = files_in(folder);
@@ -83,11 +101,7 @@ Submission in_folder(const Exercise& exercise, const fs::path& folder) {
         named.push_back(*std::ranges::find_if(others, may_be_meant));
         std::erase(others, named.front());
     }
-    if (named.empty())
-        return {
-            {},
-            {},
-            fmt::format("expected a file {}, found {}", wanted, others.empty() ? "no file" : names_of(others, folder))};
+    if (named.empty()) return {{}, {}, words_of_missing(wanted, files, folder)};
     Submission found{named.front(), {}, {}};
     if (named.front().filename() != wanted)
         found.submitted.notes.push_back("taken for " + wanted + ", since it is the only C++ file");

@@ -123,6 +123,15 @@ TEST_CASE("what cannot be graded as it is has a clear verdict each, and no point
     no_submission(many, "there are 2 files nearest_sphere_hit.cpp: a/");
     file("none/report.pdf", "x");
     no_submission(folder / "none", "expected a file nearest_sphere_hit.cpp, found report.pdf");
+    file("capitals/Nearest_Sphere_Hit.cpp", "x");
+    file("capitals/old.cpp", "x");
+    no_submission(folder / "capitals", "expected a file nearest_sphere_hit.cpp, found Nearest_Sphere_Hit.cpp, old.cpp; "
+                                       "small letters and capitals differ");
+    fs::remove_all(folder / "linked");
+    fs::create_directories(folder / "linked");
+    fs::create_symlink(exercise_02 + "right/geometric.cpp", folder / "linked/nearest_sphere_hit.cpp");
+    no_submission(folder / "linked", "expected a file nearest_sphere_hit.cpp, found no file; not followed, since it is "
+                                     "a link: nearest_sphere_hit.cpp");
 }
 
 TEST_CASE("of a folder the exercise's file is taken; links are not followed, and what is ignored is told") {
