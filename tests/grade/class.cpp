@@ -265,6 +265,25 @@ TEST_CASE("reports that cannot be merged leave nothing, and the message names th
     refused("good", "odd", "odd: expected a report with results, found none");
 }
 
+TEST_CASE("an option that would do nothing is refused, with what does it") {
+    const auto refused = [](const std::vector<std::string>& words, const std::string& reason) {
+        const auto process = run_class(words);
+        INFO(process.output << process.errors);
+        CHECK(process.code == 2);
+        CHECK(says(process, reason));
+    };
+    fs::remove_all(class_folder / "idle");
+    const auto answer = spheres + "right/geometric.cpp";
+    refused({"02", "--class", "among", "-o", "idle", "--student", "ann"}, "expected no --student with --class");
+    refused({"02", "--class", "among", "-o", "idle", "--format", "csv"}, "expected no --format with --class");
+    refused({"02", "--class", "among", "-o", "idle", "--submission", answer}, "expected no --submission with --class");
+    refused({"02", "--submission", answer, "--regrade"}, "expected no --regrade without --class");
+    refused({"02", "--submission", answer, "--pseudonyms"}, "expected no --pseudonyms without --class");
+    refused({"02", "--submission", answer, "--picture", "p.exr"}, "expected no --picture with --submission");
+    refused({"--merge", "good", "--regrade"}, "expected no --regrade with --merge");
+    CHECK(!fs::exists(class_folder / "idle"));
+}
+
 TEST_CASE("a result whose student is no longer in the class says so") {
     for (const auto* name : {"leaving", "left"}) fs::remove_all(class_folder / name);
     fs::create_directories(class_folder / "leaving/ann");

@@ -1,5 +1,6 @@
 #include "course/grade.h"
 #include "commands.h"
+#include "course/idle_options.h"
 
 #include "formats.h"
 #include "official_grade.h"
@@ -37,7 +38,7 @@ const CommandLine grade_command_line{
         {"--student", "NAME", "whose submission it is"},
         {"--points", "P", "what an answer that passes is worth", "100"},
         {"--isolation", "LEVEL", "2 or 3: how far it is kept apart (default: the best that this machine has)"},
-        {"--format", "NAME", "text, json, gradescope, github, junit, autolab, prairielearn or tap", "text"},
+        {"--format", "NAME", "text, json, gradescope, github, junit, autolab, prairielearn or tap (default: text)"},
         {"-o,--output", "FILE", "the result, - is standard output; of a class the folder of its report", "-"},
         {"--class", "FOLDER", "grade all of a class"},
         {"--prepared", "FOLDER", "compiled headers that the gradings of a class share"},
@@ -93,9 +94,10 @@ Hundredths points_asked_for(const Arguments& arguments) {
 
 ExitCode grade_command(const std::vector<std::string>& words) {
     const auto arguments = parse(grade_command_line, words);
+    refuse_idle_options(arguments);
     if (arguments.has("--merge")) return merge_reports(arguments);
     if (arguments.has("--class")) return grade_class(arguments);
-    const auto& format = format_of(arguments.text("--format"));
+    const auto& format = format_of(arguments.text_if_given("--format").value_or("text"));
     const auto output = arguments.text("--output");
     if (arguments.has("NN") && arguments.all("NN").size() > 1)
         throw Error("expected one exercise, found " + std::to_string(arguments.all("NN").size()));
