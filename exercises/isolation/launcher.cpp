@@ -4,6 +4,8 @@
 #include "limits.h"
 #include "system_calls.h"
 
+#include "raylab/base/lone_users.h"
+
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -26,8 +28,6 @@ namespace {
 
 using namespace raylab::grading;
 namespace fs = std::filesystem;
-
-constexpr unsigned first_user = 2'000'000'000;  // beyond all users of a system; a process's number is added
 
 Work work_from(const std::string& word) {
     for (std::size_t i = 0; i < words_for_work.size(); ++i)
@@ -70,7 +70,7 @@ OpenFiles files_of(Work work, const fs::path& folder, const fs::path& program) {
 void isolate(Level level, Work work, unsigned seconds, const fs::path& folder, const fs::path& program) {
     close_range(STDERR_FILENO + 1, ~0u, 0);
     bound(limits_of(work, seconds));
-    if (geteuid() == 0) become_user(first_user + static_cast<unsigned>(getpid()), folder);
+    if (geteuid() == 0) become_user(raylab::first_lone_user + static_cast<unsigned>(getpid()), folder);
     // Setting a user clears it.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)

@@ -1,6 +1,7 @@
 #include "catch.h"
 
 #include "raylab/base/file.h"
+#include "raylab/base/lone_users.h"
 #include "raylab/base/temporary.h"
 
 #include <sys/wait.h>
@@ -57,4 +58,20 @@ TEST_CASE("the next temporary removes what a killed process left in its folder, 
     CHECK(fs::exists(next.path()));
     CHECK(fs::exists(scratch.path() / ".raylab-own"));
     CHECK(entries_in(scratch.path()) == 3);
+}
+
+TEST_CASE("root's next temporary removes what was given to foreign code, and nothing of other users") {
+    if (geteuid() != 0) return;  // nobody else gives a folder away
+    const ScratchFolder scratch;
+    const auto give_all_to = [&](unsigned user) {
+        for (const auto& entry : fs::directory_iterator(scratch.path()))
+            REQUIRE(lchown(entry.path().c_str(), user, user) == 0);
+    };
+    leave_temporaries_in(scratch.path());
+    give_all_to(1234);
+    CHECK(fs::exists(Temporary(Kind::file, scratch.path()).path()));
+    CHECK(entries_in(scratch.path()) == 2);
+    give_all_to(first_lone_user + 5);
+    CHECK(fs::exists(Temporary(Kind::file, scratch.path()).path()));
+    CHECK(entries_in(scratch.path()) == 0);
 }

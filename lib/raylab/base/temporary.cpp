@@ -1,6 +1,7 @@
 #include "raylab/base/temporary.h"
 
 #include "raylab/base/error.h"
+#include "raylab/base/lone_users.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -52,10 +53,15 @@ void remove_whole(const fs::path& path) noexcept {
     }
 }
 
+/// Whether this user made it, or gave it to foreign code: a killed root leaves the folders that such code worked in.
+bool is_own(const struct stat& found) {
+    return found.st_uid == geteuid() || (geteuid() == 0 && found.st_uid >= first_lone_user);
+}
+
 /// Removes the path if nobody holds a lock on it.
 void remove_if_abandoned(const fs::path& path) {
     struct stat found {};
-    if (lstat(path.c_str(), &found) != 0 || found.st_uid != geteuid()) return;
+    if (lstat(path.c_str(), &found) != 0 || !is_own(found)) return;
     if (!S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode)) return;
     const int opened = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (opened < 0) return;
