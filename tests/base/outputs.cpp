@@ -81,6 +81,16 @@ TEST_CASE("an output that is an input or another output is refused, however its 
     CHECK(refusal({.files = {folder / "one", folder / "two"}, .inputs = {input}}) == "nothing: all was accepted");
 }
 
+TEST_CASE("an output in a folder that is an input is refused, and one beside it is not") {
+    const ScratchFolder scratch;
+    const auto input = scratch.path() / "input";
+    fs::create_directory(input);
+    for (const auto& name : {input / "new", scratch.path() / "other/../input/new", input / "deep/er/new"})
+        CHECK_THAT(refusal({.files = {name}, .inputs = {input}}), Catch::Matchers::Contains("outside of the inputs"));
+    for (const auto& name : {scratch.path() / "input.png", input / "../new"})
+        CHECK(refusal({.files = {name}, .inputs = {input}}) == "nothing: all was accepted");
+}
+
 TEST_CASE("outputs are in place together, and not before") {
     const ScratchFolder scratch;
     const auto one = scratch.path() / "one", two = scratch.path() / "new/deep/two";

@@ -33,7 +33,7 @@ fs::path report_folder(const Arguments& arguments) {
 
 // Among the submissions the next run would take the report for a student's.
 void refuse_report_in(const fs::path& folder, const fs::path& report) {
-    if (const auto place = fs::weakly_canonical(report); same_file(place, folder) || lies_in(place, folder))
+    if (same_file(report, folder) || lies_in(report, folder))
         throw Error({report.string()}, "a report outside of the class's folder " + folder.string(), "one in it");
 }
 
@@ -151,10 +151,8 @@ ExitCode grade_class(const Arguments& arguments) {
     const fs::path folder = arguments.text("--class");
     const auto course = course_in(folder, arguments);
     const auto terms = terms_of(arguments);
-    // A report among the submissions would replace one, or be graded as one the next time.
-    const Outputs planned({.folders = {terms.report}, .inputs = {folder}});
-    const auto all = handed_in(folder, course);
     refuse_report_in(folder, terms.report);
+    const auto all = handed_in(folder, course);
     write_file(terms.report / list_of_submissions, list_text(all, terms));
     if (fs::exists(folder / "course.toml")) write_file(terms.report / "course.toml", read_file(folder / "course.toml"));
     if (terms.pseudonyms) write_names(all, terms);

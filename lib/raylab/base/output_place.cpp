@@ -127,7 +127,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }
 
 bool lies_in(const fs::path& inner, const fs::path& outer) {
-    for (auto folder = fs::absolute(inner).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    const auto place = fs::weakly_canonical(fs::absolute(inner).parent_path());  // "a/../b" does not lie in a
+    for (auto folder = place; folder.has_relative_path(); folder = folder.parent_path())
         if (same_file(folder, outer)) return true;
     return false;
 }
