@@ -90,6 +90,8 @@ TEST_CASE("a picture is the same bits with light buffers and without", "[threads
 
 TEST_CASE("light buffers are made where shadow rays are many, and kept where their lists are short") {
     Scene scene = glass_and_mirror();  // 322 primitives
+    const PointLight nearby{{1.2f, 2.4f, 1.6f}};
+    scene.lights[0].kind = nearby;
     CHECK(light_buffers(scene, {400, 400}) == 1);
     CHECK(light_buffers(scene, {300, 300}) == 0);
     CHECK(light_buffers(scene, {400, 400}, {}, "bvh") == 0);
@@ -97,7 +99,7 @@ TEST_CASE("light buffers are made where shadow rays are many, and kept where the
     scene.lights[0].kind = PointLight{{3e3, 6e3, 4e3}};  // sees everything through one cell
     CHECK(light_buffers(scene, {400, 400}) == 0);
     CHECK(light_buffers(scene, {400, 400}, {}, "auto", BufferUse::always) == 1);
-    scene.lights[0].kind = PointLight{{3, 6, 4}};
+    scene.lights[0].kind = nearby;
     scene.objects.erase(scene.objects.begin());
     CHECK(light_buffers(scene, {400, 400}) == 0);
 }

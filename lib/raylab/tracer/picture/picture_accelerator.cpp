@@ -38,10 +38,10 @@ constexpr std::size_t few_to_shadow = 16;
 // SPD's balls). To make one costs 13 000 for each primitive, and some 1200 for each cell (counted in both).
 constexpr double shadow_rays_for_one_primitive = 52, shadow_rays_for_one_cell = 5;
 
-// Entries a list, from where a tree is faster: shadow rays test few of them, since lists are sorted and shadows begin
-// near the light. (SPD at 800 x 800: with 13 in the mean, balls, and with 41, rings, a fifth of the time is saved; with
-// 121, tetra, some is lost, and with 2700, mount, six times the whole.)
-constexpr double longest_lists = 64;
+// Entries a list, from where bvh8 is faster, although shadow rays test few of them, since lists are sorted and shadows
+// begin near the light. (Times of those without, one thread: chapter 08's scene .93; SPD with 13 in the mean, balls,
+// 1.13, with 41, rings, 1.15, both at 1600 x 1200; with 121, tetra, 2.4, and with 2700, mount, 20, both at 800 x 800.)
+constexpr double longest_lists = 8;
 
 LightBufferOptions light_buffer_for(std::size_t primitives) {
     return {.resolution = primitives <= 1000 ? 64 : primitives <= 20'000 ? 128 : 256};
