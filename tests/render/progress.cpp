@@ -160,8 +160,8 @@ TEST_CASE("through a FIFO goes the finished picture alone, whose reader ends wit
     std::filesystem::remove(fifo);
     // Longer than the two seconds after which a picture that replaces a file is stored for the first time.
     const std::string command = "mkfifo " + fifo.string() + "; cat " + fifo.string() + " > " + got.string() +
-                                " & exec timeout 30 " RAYLAB_BUILD "/raylab render " + spread_scene() + " -o " +
-                                fifo.string() + " --time 4s --threads 1";
+                                " & timeout 30 " RAYLAB_BUILD "/raylab render " + spread_scene() + " -o " +
+                                fifo.string() + " --time 4s --threads 1; code=$?; wait; exit $code";
     const ProcessResult result = run_process("/bin/sh", {"-c", command}, {.timeout = 60});
     INFO(result.errors);
     CHECK(result.code == 0);

@@ -149,7 +149,7 @@ TEST_CASE("raylab trace refuses what it cannot use: a mesh, rays, an accelerator
                     "no_such.off: expected a file, found nothing there");
     check_could_not(trace({mesh_file, "--rays", "no_such.rays", "-o", hits}), "no_such.rays: expected a file");
     check_could_not(trace_pyramid({"--accelerator", "wishful"}), "wishful");
-    check_could_not(trace_pyramid({"--threads", "0"}), "expected --threads from 1 to 1024, found 0");
+    check_could_not(trace_pyramid({"--threads", "1025"}), "expected --threads from 0 to 1024, found 1025");
     check_could_not(trace({mesh_file, "--rays", rays}), "expected --output, found nothing");
     check_could_not(trace({mesh_file, "-o", hits}), "expected --rays, found nothing");
     check_could_not(trace_pyramid({"--no-such-option"}), "--no-such-option");

@@ -30,11 +30,11 @@ bool pays(std::size_t primitives, const CameraFrame& frame, const PixelSamples& 
     return eye_rays(frame, samples) >= rays_for_one_primitive * static_cast<double>(primitives);
 }
 
-// Up to so many primitives a list is faster (tests/bench/mirror_and_glass.toml: 290 instructions a shadow ray, 570 with
+// Up to so many primitives a list is faster (tests/bench/mirror_and_glass.toml: 320 instructions a shadow ray, 520 with
 // buffers).
 constexpr std::size_t few_to_shadow = 16;
 
-// A light buffer saves a shadow ray some 250 instructions of bvh8's 1300 (chapter 08's scene; none of 800 among the
+// A light buffer saves a shadow ray some 270 instructions of bvh8's 800 (chapter 08's scene; none of 650 among the
 // SPD's balls). To make one costs 13 000 for each primitive, and some 1200 for each cell (counted in both).
 constexpr double shadow_rays_for_one_primitive = 52, shadow_rays_for_one_cell = 5;
 
