@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 // What a course gives out checks alone, and tells nobody the answer.
 
@@ -58,16 +59,28 @@ std::string all_texts(const fs::path& folder) {
     return all;
 }
 
+// What a pattern's group finds in a lesson.
+struct Named {
+    fs::path lesson;
+    std::string name;
+};
+
+std::vector<Named> named_in(const fs::path& lessons, const std::regex& pattern) {
+    std::vector<Named> names;
+    for (const auto& entry : fs::recursive_directory_iterator(lessons)) {
+        if (entry.path().extension() != ".md") continue;
+        const auto text = read_file(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+            names.push_back({entry.path(), (*match)[1]});
+    }
+    return names;
+}
+
 // The scenes of the lab's own that the lessons' commands name, as they name them.
 std::set<std::string> scenes_named_in(const fs::path& lessons) {
     static const std::regex scene(R"(\./raylab [^\n`]*?(chapters/[a-z0-9_/]+\.toml))");
     std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(lessons)) {
-        if (entry.path().extension() != ".md") continue;
-        const auto text = read_file(entry.path());
-        for (std::sregex_iterator match(text.begin(), text.end(), scene), end; match != end; ++match)
-            names.insert((*match)[1]);
-    }
+    for (const auto& [lesson, name] : named_in(lessons, scene)) names.insert(name);
     REQUIRE(names.size() > 12);
     return names;
 }
@@ -76,13 +89,9 @@ std::set<std::string> scenes_named_in(const fs::path& lessons) {
 std::set<std::string> dead_links(const fs::path& texts) {
     static const std::regex link(R"(\]\(((?!http|#)[^) #]*[./][^) #]*)[^)\n]*\))");
     std::set<std::string> dead;
-    for (const auto& entry : fs::recursive_directory_iterator(texts)) {
-        if (entry.path().extension() != ".md") continue;
-        const auto text = read_file(entry.path());
-        for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match)
-            if (const auto name = (*match)[1].str(); !fs::exists(entry.path().parent_path() / name))
-                dead.insert(entry.path().lexically_relative(texts).string() + ": " + name);
-    }
+    for (const auto& [lesson, name] : named_in(texts, link))
+        if (!fs::exists(lesson.parent_path() / name))
+            dead.insert(lesson.lexically_relative(texts).string() + ": " + name);
     return dead;
 }
 
