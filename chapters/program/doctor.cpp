@@ -5,7 +5,7 @@
 #include "raylab/base/command_line.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
-#include "raylab/base/tiles.h"
+#include "raylab/base/thread_pool.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "raylab/accelerator/trace_rays.h"
 
 #include "raylab/base/progress.h"
+#include "raylab/base/thread_pool.h"
 #include "raylab/base/tiles.h"
 #include "raylab/scene/needs.h"
 #include "raylab/scene/scene.h"

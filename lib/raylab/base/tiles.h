@@ -10,16 +10,10 @@ struct Tile {
     int x0, y0, x1, y1;
 };
 
-/// The number of threads that "all cores" means on this machine (at least 1).
-int core_count();
-
-/// The number of threads that an option asks for: as many as it says, or for 0 all cores.
-int thread_count(int asked);
-
-/// Calls work(tile) once for every tile of a width x height picture, from `threads` threads (0: all cores). Tiles are
-/// handed out from one counter, so which thread computes a tile varies: its result must depend on its pixels alone. The
-/// first exception that any tile throws is thrown here, after all threads have stopped. `label` names the progress bar;
-/// empty: none.
+/// Calls work(tile) once for every tile of a width x height picture, from `threads` threads (0: all cores). Each begins
+/// with a part of the picture and then helps with the others', so which thread computes a tile varies: its result must
+/// depend on its pixels alone. The first exception that any tile throws is thrown here, after all threads have stopped.
+/// `label` names the progress bar; empty: none.
 void for_each_tile(int width, int height, int threads, const std::string& label, const std::function<void(Tile)>& work);
 
 /// The same for an index range [0, count), in pieces of at most `grain`: work(begin, end).

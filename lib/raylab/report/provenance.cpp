@@ -1,7 +1,7 @@
 #include "raylab/report/provenance.h"
 
 #include "raylab/base/process.h"
-#include "raylab/base/tiles.h"
+#include "raylab/base/thread_pool.h"
 
 #include <sys/auxv.h>
 #include <sys/utsname.h>

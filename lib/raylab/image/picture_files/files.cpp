@@ -2,7 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/base/tiles.h"
+#include "raylab/base/thread_pool.h"
 #include "raylab/image/check_picture_size.h"
 #include "raylab/image/exr_header.h"
 #include "raylab/image/finite.h"
