@@ -52,13 +52,14 @@ void add(Wide& wide, const References& references, const CollapsedTree& tree, Co
 void add_greedily(Wide& wide, References& references, const ReferenceRange& part) {
     wide.work += double{part.box.half_area()};
     std::deque<ReferenceRange> parts{part};
+    ThreadPool alone;
     while (parts.size() < bvh8_width) {
         const auto by_area = [&](const ReferenceRange& one) {
             return references.fit_in_leaf(one) ? -1 : one.box.half_area();
         };
         const auto largest = std::ranges::max_element(parts, {}, by_area);
         if (references.fit_in_leaf(*largest)) break;
-        const auto [left, right] = references.split(*largest, 1, 1);
+        const auto [left, right] = references.split(*largest, 1, alone);
         *largest = left;
         parts.push_back(right);
     }
@@ -74,11 +75,12 @@ void add_greedily(Wide& wide, References& references, const ReferenceRange& part
 
 TEST_CASE("of all wide trees over the same binary one, that of the least work is chosen") {
     Draw draw(3);
+    ThreadPool alone;
     double chosen_work = 0, greedy_work = 0;
     for (int i = 0; i < 60; ++i) {
         const std::vector<Box> boxes = boxes_of(draw, draw.integer(9, 400));
         const TriangleRuns none;
-        References once(none, boxes, {}), again(none, boxes, {});
+        References once(none, boxes, {}, alone), again(none, boxes, {}, alone);
         const CollapsedTree tree(once, once.all(), 1);
         Wide chosen, greedy;
         add(chosen, once, tree, {CollapsedTree::root, false});
@@ -99,13 +101,14 @@ TEST_CASE("of all wide trees over the same binary one, that of the least work is
 TEST_CASE("a part that is a leaf is its own child, and boxes without end are chosen, too") {
     const TriangleRuns none;
     const std::vector<Box> one{{Vec3f(0), Vec3f(1)}};
-    References single(none, one, {});
+    ThreadPool alone;
+    References single(none, one, {}, alone);
     const auto children = CollapsedTree(single, single.all(), 1).children(CollapsedTree::root);
     CHECK((children.count == 1 && children.parts[0].is_leaf));
 
     std::vector<Box> endless;
     for (int i = 0; i < 40; ++i) endless.push_back({Vec3f(-infinity), Vec3f(infinity)});
-    References references(none, endless, {});
+    References references(none, endless, {}, alone);
     Wide wide;
     add(wide, references, CollapsedTree(references, references.all(), 1), {CollapsedTree::root, false});
     CHECK(wide.numbers.size() == endless.size());

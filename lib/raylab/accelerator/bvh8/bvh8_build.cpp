@@ -3,9 +3,8 @@
 #include "raylab/accelerator/bvh8/bvh8_any_order.h"
 #include "raylab/accelerator/bvh8/bvh8_collapse.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf_writer.h"
-#include "raylab/accelerator/bvh8/bvh8_root_splits.h"
 #include "raylab/base/error.h"
-#include "raylab/base/tiles.h"
+#include "raylab/base/thread_pool.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +21,9 @@ namespace {
 
 using namespace bvh8_parts;
 
-// Parts of no more references are grown by one thread each.
-constexpr std::size_t subtree_size = References::piece_size / 2;
+// Parts of no more references are grown by one thread each, and of no more than a piece. (The larger they are, the
+// fewer nodes a ray visits: CollapsedTree makes them.)
+constexpr std::size_t max_subtree_size = 8192;
 
 // A part that becomes a tree of its own, and whose child that is.
 struct Subtree {
@@ -42,15 +42,15 @@ public:
 
     // Grows the top of a tree level by level, and returns the parts below it that are small enough, in the order of
     // their references.
-    std::vector<Subtree> grow_top(const Parts& parts_of_root, int threads) {
-        RootSplits splits(references_, parts_of_root, threads);
-        std::vector<Subtree> small, level = append_node(divided(parts_of_root, 1, threads, splits), 1);
+    std::vector<Subtree> grow_top(const Parts& parts_of_root, ThreadPool& threads) {
+        const std::size_t size = std::min(references_.piece_size(), max_subtree_size);
+        std::vector<Subtree> small, level = append_node(divided(parts_of_root, 1, threads), 1);
         while (!level.empty()) {
             const auto large =
-                std::ranges::partition(level, [](const Subtree& one) { return one.part.size() <= subtree_size; });
+                std::ranges::partition(level, [&](const Subtree& one) { return one.part.size() <= size; });
             small.insert(small.end(), level.begin(), large.begin());
             level.erase(level.begin(), large.begin());
-            level = append_nodes(level, threads, splits);
+            level = append_nodes(level, threads);
         }
         std::ranges::sort(small, {}, [](const Subtree& one) { return one.part.begin; });
         return small;
@@ -64,12 +64,14 @@ public:
 private:
     // Appends the nodes of a level, and returns the parts of the next. Many parts are divided by one thread each, few
     // by all threads, one after the other.
-    std::vector<Subtree> append_nodes(const std::vector<Subtree>& level, int threads, RootSplits& splits) {
-        const bool many = level.size() >= 2 * static_cast<std::size_t>(threads);
+    std::vector<Subtree> append_nodes(const std::vector<Subtree>& level, ThreadPool& threads) {
+        const bool many = level.size() >= 2 * static_cast<std::size_t>(threads.size());
+        ThreadPool alone;
+        ThreadPool& for_level = many ? threads : alone;
+        ThreadPool& for_part = many ? alone : threads;
         std::vector<Parts> parts(level.size());
-        for_each_piece(level.size(), 1, many ? threads : 1, [&](std::size_t i, std::size_t) {
-            parts[i] = divided({level[i].part}, level[i].depth, many ? 1 : threads, splits);
-        });
+        for_level.for_each_in_turn(
+            level.size(), [&](std::size_t i) { parts[i] = divided({level[i].part}, level[i].depth, for_part); });
         std::vector<Subtree> next;
         for (std::size_t i = 0; i < level.size(); ++i) {
             tree_.nodes[level[i].parent].children[level[i].place] = Bvh8Child::node(tree_.nodes.size());
@@ -129,14 +131,14 @@ private:
     }
 
     // Splits the largest part that is not a leaf until there are eight parts, or only leaves.
-    Parts divided(Parts parts, int depth, int threads, RootSplits& splits) {
+    Parts divided(Parts parts, int depth, ThreadPool& threads) {
         while (parts.size() < bvh8_width) {
             ReferenceRange* largest = nullptr;
             for (ReferenceRange& part : parts)
                 if (!references_.fit_in_leaf(part) && (!largest || part.box.half_area() > largest->box.half_area()))
                     largest = &part;
             if (!largest) break;
-            const auto [left, right] = splits.split(*largest, depth, threads);
+            const auto [left, right] = references_.split(*largest, depth, threads);
             *largest = left;
             parts.push_back(right);
         }
@@ -170,7 +172,9 @@ class Builder {
 
 public:
     Builder(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
-        : triangles_(triangles), threads_(thread_count(options.threads)), references_(triangles, others, options) {
+        : triangles_(triangles),
+          threads_(options.threads, (triangles.size() + others.size()) / References::min_piece_size),
+          references_(triangles, others, options, threads_) {
         // The boxes hold all corners, and what is farther than a box may be is far, too.
         tree_.enclose(box_of(references_.corners()), box_of(references_.all().box));
         tree_.triangle_count = triangles.size();
@@ -213,11 +217,12 @@ private:
         tree.nodes.reserve(references / 12 + 1);
     }
 
-    // Frees what was reserved and is not used. Beyond the size of a large page that is not worth a copy: the system has
-    // given no memory for pages that nothing has touched.
+    // Frees what was reserved and is not used, if that is much. Beyond the size of a large page that is not worth a
+    // copy: the system has given no memory for pages that nothing has touched.
     template <class T>
     static void give_back_rest(LargeVector<T>& some) {
-        if (some.capacity() * sizeof(T) < large_page) some.shrink_to_fit();
+        const bool is_much = some.capacity() - some.size() > some.size() / 8;
+        if (is_much && some.capacity() * sizeof(T) < large_page) some.shrink_to_fit();
     }
 
     // A grown subtree, and where in the tree it lies.
@@ -245,7 +250,7 @@ private:
         std::vector<Grown> waiting(subtrees.size());  // for those before them
         std::size_t next = 0;
         std::mutex guards_places;
-        for_each_piece(subtrees.size(), 1, threads_, [&](std::size_t turn, std::size_t) {
+        threads_.for_each_in_turn(subtrees.size(), [&](std::size_t turn) {
             const std::size_t i = order[turn];
             Bvh8Nodes own;
             reserve(own, subtrees[i].part.size());
@@ -295,7 +300,7 @@ private:
     }
 
     const TriangleRuns& triangles_;
-    int threads_;
+    ThreadPool threads_;
     References references_;
     Bvh8Nodes tree_;
     std::shared_mutex guards_memory_;  // of tree_, against its growth

@@ -13,7 +13,7 @@ std::uint32_t CollapsedTree::grow(const ReferenceRange& part, int depth) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({.part = part});
     if (!references_.fit_in_leaf(part)) {
-        const auto [left, right] = references_.split(part, depth, 1);
+        const auto [left, right] = references_.split(part, depth, alone_);
         nodes_[at].left = grow(left, depth + 1);
         nodes_[at].right = grow(right, depth + 1);
     }

@@ -54,6 +54,7 @@ private:
     void add_children(std::size_t at, std::size_t most, Children& children) const;
 
     References& references_;
+    ThreadPool alone_;
     std::vector<Node> nodes_;
 };
 

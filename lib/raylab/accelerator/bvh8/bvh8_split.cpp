@@ -1,7 +1,6 @@
 #include "raylab/accelerator/bvh8/bvh8_split.h"
 
 #include "raylab/accelerator/bvh8/bvh8_walls.h"
-#include "raylab/base/tiles.h"
 
 #include <algorithm>
 #include <array>
@@ -129,23 +128,25 @@ struct References::SortedPiece {
 
 // The sum of what `work` makes of each piece of a part.
 template <class Result, class Work>
-Result References::in_pieces(const ReferenceRange& part, int threads, const Work& work) const {
-    if (part.size() <= piece_size) return work(part.begin, part.end);
-    std::vector<Result> results((part.size() + piece_size - 1) / piece_size);
-    for_each_piece(part.size(), piece_size, threads, [&](std::size_t begin, std::size_t end) {
-        results[begin / piece_size] = work(part.begin + begin, part.begin + end);
+Result References::in_pieces(const ReferenceRange& part, ThreadPool& threads, const Work& work) const {
+    if (part.size() <= piece_size_) return work(part.begin, part.end);
+    std::vector<Result> results((part.size() + piece_size_ - 1) / piece_size_);
+    threads.for_each_piece(part.size(), piece_size_, [&](std::size_t begin, std::size_t end) {
+        results[begin / piece_size_] = work(part.begin + begin, part.begin + end);
     });
     for (std::size_t i = 1; i < results.size(); ++i) results[0].add(results[i]);
     return std::move(results[0]);
 }
 
-References::References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options)
-    : triangles_(triangles) {
+References::References(const TriangleRuns& triangles, std::span<const Box> others, const Bvh8BuildOptions& options,
+                       ThreadPool& threads)
+    : triangles_(triangles),
+      piece_size_(std::clamp<std::size_t>((triangles.size() + others.size()) / 8, min_piece_size, 16'384)) {
     const std::size_t count = triangles.size() + others.size();
     const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
     const std::size_t room = std::min(wanted, Bvh8Child::max_primitives - count);
     all_ = std::make_unique_for_overwrite<Reference[]>(count + room);
-    const auto bounds = in_pieces<Bounds>({0, count}, options.threads, [&](std::size_t begin, std::size_t end) {
+    const auto bounds = in_pieces<Bounds>({0, count}, threads, [&](std::size_t begin, std::size_t end) {
         Bounds piece;
         for (std::size_t i = begin; i < std::min(end, triangles.size()); ++i) {
             const Triangle triangle = triangles[i];
@@ -176,7 +177,7 @@ bool References::fit_in_leaf(const ReferenceRange& part) const {
     return found.back().is_triangle() && std::ranges::all_of(found, &Reference::is_triangle);
 }
 
-std::vector<ReferenceRange> References::parts_of_root(int threads) {
+std::vector<ReferenceRange> References::parts_of_root(ThreadPool& threads) {
     const auto is_wall = [&](const Walls& walls, const Reference& one) {
         return walls.may_have(one) && walls.has(one, triangles_[one.number()]);
     };
@@ -196,7 +197,7 @@ std::vector<ReferenceRange> References::parts_of_root(int threads) {
     return {of_walls, rest};
 }
 
-References::Sides References::split(const ReferenceRange& part, int depth, int threads) {
+References::Sides References::split(const ReferenceRange& part, int depth, ThreadPool& threads) {
     if (depth >= halving_depth) return halves(part);
     const Binning binning(part);
     const auto bins = in_pieces<Bins>(part, threads, [&](std::size_t begin, std::size_t end) {
@@ -219,7 +220,7 @@ References::Sides References::split(const ReferenceRange& part, int depth, int t
     });
 }
 
-PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning& binning, int threads) const {
+PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning& binning, ThreadPool& threads) const {
     const auto bins = in_pieces<PlaneBins>(part, threads, [&](std::size_t begin, std::size_t end) {
         PlaneBins filled(binning.count);
         for (std::size_t i = begin; i < end; ++i) filled.add(all_[i], binning);
@@ -229,7 +230,7 @@ PlaneSplit References::best_plane(const ReferenceRange& part, const PlaneBinning
 }
 
 References::Sides References::split_by_plane(const ReferenceRange& part, const PlaneBinning& binning,
-                                             const PlaneSplit& plane, int threads) {
+                                             const PlaneSplit& plane, ThreadPool& threads) {
     const auto [axis, bin, cost] = plane;
     const float at = binning.border(axis, bin);
     return partition(part, threads, [&, axis = axis, bin = bin](Reference& one, std::vector<Reference>& cut_off) {
@@ -273,15 +274,15 @@ References::SortedPiece References::sort_piece(std::size_t begin, std::size_t en
 }
 
 template <class SideOf>
-References::Sides References::partition(const ReferenceRange& part, int threads, const SideOf& side_of) {
-    std::vector<SortedPiece> pieces((part.size() + piece_size - 1) / piece_size);
+References::Sides References::partition(const ReferenceRange& part, ThreadPool& threads, const SideOf& side_of) {
+    std::vector<SortedPiece> pieces((part.size() + piece_size_ - 1) / piece_size_);
     const auto sort = [&](std::size_t begin, std::size_t end) {
-        pieces[begin / piece_size] = sort_piece(part.begin + begin, part.begin + end, side_of);
+        pieces[begin / piece_size_] = sort_piece(part.begin + begin, part.begin + end, side_of);
     };
     if (pieces.size() == 1)
         sort(0, part.size());
     else
-        for_each_piece(part.size(), piece_size, threads, sort);
+        threads.for_each_piece(part.size(), piece_size_, sort);
     ReferenceRange left, right;
     std::size_t middle = part.begin, end = part.end;
     for (const SortedPiece& piece : pieces) {
@@ -304,13 +305,13 @@ References::Sides References::partition(const ReferenceRange& part, int threads,
 }
 
 // Exchanges what the pieces have on the wrong side of the middle: on both sides the same number, in order.
-void References::exchange(std::span<const SortedPiece> pieces, std::size_t middle, int threads) {
+void References::exchange(std::span<const SortedPiece> pieces, std::size_t middle, ThreadPool& threads) {
     Places rights, lefts;
     for (const SortedPiece& piece : pieces) {
         rights.add(piece.right.begin, std::min(middle, piece.right.end));
         lefts.add(std::max(middle, piece.left.begin), piece.left.end);
     }
-    for_each_piece(rights.count(), piece_size, threads, [&](std::size_t begin, std::size_t end) {
+    threads.for_each_piece(rights.count(), piece_size_, [&](std::size_t begin, std::size_t end) {
         while (begin < end) {
             const auto [right, rights_there] = rights.from(begin);
             const auto [left, lefts_there] = lefts.from(begin);
