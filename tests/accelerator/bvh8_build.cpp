@@ -120,11 +120,11 @@ BuildInput eight_clusters(Draw& draw) {
 }
 
 // The root splits the large half alone, again and again; the small one is flat, at 0 of either sign.
-BuildInput small_and_large_half(Draw& draw) {
-    BuildInput input{soup(draw, 2'000, 0.01f), {}};
+BuildInput small_and_large_half(Draw& draw, int count) {
+    BuildInput input{soup(draw, count / 8, 0.01f), {}};
     for (Triangle& one : input.triangles)
         for (Vec3f* corner : {&one.a, &one.b, &one.c}) corner->x = draw.one_in(2) ? -0.0f : 0.0f;
-    for (const Triangle& one : soup(draw, 15'000, 9, Vec3f(30, 0, 0))) input.triangles.push_back(one);
+    for (const Triangle& one : soup(draw, count - count / 8, 9, Vec3f(30, 0, 0))) input.triangles.push_back(one);
     return input;
 }
 
@@ -148,12 +148,15 @@ TEST_CASE("bvh8 is the same tree to the bit, however many threads build it", "[t
         }
 }
 
-TEST_CASE("bvh8 is the same tree where threads split a part too soon", "[threads]") {
+TEST_CASE("bvh8 is the same tree to the bit, of whatever size and in whatever pieces", "[threads]") {
     Draw draw(6);
-    for (int i = 0; i < 10; ++i) {
-        const auto [triangles, others] = small_and_large_half(draw);
-        CHECK(same_tree(build_bvh8_nodes(triangles, others, {.threads = 2}),
-                        build_bvh8_nodes(triangles, others, {.threads = 1})));
+    for (const int count : {9, 2'047, 4'097, 16'383, 16'385, 17'000, 17'001, 40'000, 131'071, 131'073}) {
+        const auto [triangles, others] = small_and_large_half(draw, count);
+        const Bvh8Nodes alone = build_bvh8_nodes(triangles, others, {.threads = 1});
+        for (const int threads : {2, 3, 5}) {
+            INFO(count << " triangles, " << threads << " threads");
+            CHECK(same_tree(build_bvh8_nodes(triangles, others, {.threads = threads}), alone));
+        }
     }
 }
 
