@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/image/color.h"
+#include "raylab/image/color_map.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/report/structure/structure_trial.h"
 
@@ -129,7 +130,12 @@ TEST_CASE("a cost map counts what the structure counts, and its picture says how
     CostMap ramp{10, 1};
     for (int x = 0; x < 10; ++x) ramp.costs.push_back(x);
     const Image picture = heat_map(ramp, "ramp", 9);
-    CHECK(picture.height() > ramp.height + 60);  // the legend
-    for (int x = 1; x < 10; ++x) CHECK(luminance(picture.at(x, 0)) > luminance(picture.at(x - 1, 0)));
+    const int square = picture.width() / ramp.width;  // a pixel of so narrow a map
+    CHECK(square > 20);
+    CHECK(picture.height() > square * ramp.height + 60);  // the legend
+    for (int x = 1; x < 10; ++x) CHECK(luminance(picture.at(square * x, 0)) > luminance(picture.at(square * x - 1, 0)));
+    // A quarter of the most is half as light as the eye sees it.
+    const Image quarter = heat_map({1, 1, {2}}, "a quarter", 8);
+    CHECK_THAT(luminance(quarter.at(0, 0)), WithinAbs(luminance(heat_color(0.5)), 0.005));
     CHECK(common_top({ramp}, 0.5) == 4);
 }

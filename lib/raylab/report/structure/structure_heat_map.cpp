@@ -21,7 +21,8 @@ std::size_t index(const CostMap& map, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
 }
 
-// The colours of 0 to `top`, computed once, because each takes a search.
+// The colours of 0 to `top`, computed once, because each takes a search. They follow the cost's square root: where one
+// of several maps costs ten times what another does, both then show where their cost lies.
 class HeatScale {
 public:
     explicit HeatScale(double top) : top_(top) {
@@ -29,7 +30,7 @@ public:
             colors_[i] = heat_color(static_cast<double>(i) / static_cast<double>(colors_.size() - 1));
     }
     const Pixel& color(double cost) const {
-        const double share = std::clamp(cost / top_, 0.0, 1.0);
+        const double share = std::sqrt(std::clamp(cost / top_, 0.0, 1.0));
         return colors_[static_cast<std::size_t>(std::lround(share * static_cast<double>(colors_.size() - 1)))];
     }
 
@@ -38,18 +39,22 @@ private:
     std::array<Pixel, 512> colors_;
 };
 
-constexpr int min_width = 240, legend_height = 80;
+constexpr int min_width = 480, legend_height = 80;
+
+// The side of the square that shows a pixel: a small map is enlarged, or its legend would outweigh it.
+int square_of(const CostMap& map) { return (std::max(map.width, min_width) + map.width - 1) / map.width; }
 
 // By how much a legend is enlarged: a page shows a wide map reduced, and its legend is to be read there.
-int enlarged(const CostMap& map) { return std::max(1, map.width / 640); }
+int legend_unit(const CostMap& map) { return std::max(1, map.width / 640); }
 
-// Draws the bar of colours with its numbers, the title and the notes on the map.
+// Draws the bar of colours with its numbers, the title and the notes below the map.
 void draw_legend(Image& image, const HeatScale& scale, double top, const CostMap& map, const std::string& title) {
-    const int unit = enlarged(map);
+    const int unit = legend_unit(map);
+    const double map_end = image.height() - legend_height * unit;
     const double letter = 9.0 * unit;  // the height of a capital, in pixels
     const double left = 10.0 * unit, right = image.width() - left;
-    const double bar = map.height + 28.0 * unit, below = bar + 12 * unit;
-    draw_text(image, {left, map.height + 18.0 * unit}, letter, title, ink::black);
+    const double bar = map_end + 28.0 * unit, below = bar + 12 * unit;
+    draw_text(image, {left, map_end + 18.0 * unit}, letter, title, ink::black);
     for (int x = static_cast<int>(left); x < static_cast<int>(right); ++x)
         for (int y = static_cast<int>(bar); y < static_cast<int>(below); ++y)
             image.at(x, y) = scale.color(top * (x + 0.5 - left) / (right - left));
@@ -132,9 +137,10 @@ double common_top(const std::vector<CostMap>& maps, double share) {
 Image heat_map(const CostMap& map, const std::string& title, double top) {
     if (!(top > 0)) top = common_top({map});
     const HeatScale scale(top);
-    Image image(std::max(map.width, min_width), map.height + legend_height * enlarged(map), ink::white);
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) image.at(x, y) = scale.color(map.at(x, y));
+    const int square = square_of(map), height = square * map.height;
+    Image image(square * map.width, height + legend_height * legend_unit(map), ink::white);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < image.width(); ++x) image.at(x, y) = scale.color(map.at(x / square, y / square));
     draw_legend(image, scale, top, map, title);
     return image;
 }

@@ -40,9 +40,9 @@ CostMap cost_map(const Accelerator& structure, const CameraFrame& frame, Cost co
 /// mean the same.
 double common_top(const std::vector<CostMap>& maps, double share = 0.995);
 
-/// The map in false colours: black for 0, and the higher the cost the lighter (in grey print, too). Below it are a bar
-/// of colours with numbers, `title` ("tests a pixel, octree"), the mean and the maximum. Costs from `top` on are nearly
-/// white; without one it is common_top() of this map.
+/// The map in false colours: black for 0, and the higher the cost the lighter (in grey print, too), by its square root.
+/// A narrow map is enlarged. Below it are a bar of colours with numbers, `title` ("tests a pixel, octree"), the mean
+/// and the maximum. Costs from `top` on are nearly white; without one it is common_top() of this map.
 Image heat_map(const CostMap& map, const std::string& title, double top = 0);
 
 }  // namespace raylab
