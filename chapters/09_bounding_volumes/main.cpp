@@ -60,8 +60,9 @@ void show_trees(const ChapterRun& run, Page& page) {
     for (std::size_t i = 0; i < trees().size(); ++i) {
         const StructureMethod method = trees()[i];
         page.figure("way_" + method.name, [&] {
+            // Without numbers: the boxes overlap, and theirs would hide what the ray meets.
             PlaneDrawing way =
-                draw_ray_through(few, *method.make(few), ray, {.width = 420, .height = 350, .max_numbers = 30});
+                draw_ray_through(few, *method.make(few), ray, {.width = 420, .height = 350, .max_numbers = 0});
             way.notes.clear();
             return way;
         });

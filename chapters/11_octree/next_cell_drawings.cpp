@@ -19,7 +19,7 @@ constexpr const char *ray_ink = plane_ink::vermilion, *light_blue = "#cfe6f5", *
                      *light_yellow = "#fdf3d3";
 
 // What the cells were cut for.
-const std::vector<PlanePoint> things{{6.4, 5.5}, {9.5, 3.4}, {13.4, 9.6}, {14.5, 12.4}, {2.4, 13.5}};
+const std::vector<PlanePoint> things{{6.4, 5.5}, {9.5, 3.4}, {13.4, 9.6}, {14.5, 13.5}, {2.4, 13.5}};
 
 void draw_square(PlaneSketch& sketch, const BlockTree& cell, const PlaneStyle& style) {
     const double x = cell.x, y = cell.y, s = cell.side;
@@ -41,9 +41,13 @@ void draw_ray(PlaneSketch& sketch, const std::vector<LeafOnWay>& way) {
     sketch.arrow(way.front().in, way.back().out, {.line = ray_ink, .width = 2.5});
 }
 
+// The last number stands beyond the arrow, whose head hides a small leaf, and the one before below the ray.
 void draw_numbers(PlaneSketch& sketch, const std::vector<LeafOnWay>& way) {
-    for (std::size_t i = 0; i < way.size(); ++i)
+    for (std::size_t i = 0; i + 2 < way.size(); ++i)
         sketch.words(middle(way[i].in, way[i].out), std::to_string(i + 1), {{-9, -7}, Anchor::center});
+    const LeafOnWay& before = way[way.size() - 2];
+    sketch.words(middle(before.in, before.out), std::to_string(way.size() - 1), {{9, 21}, Anchor::center});
+    sketch.words(way.back().out, std::to_string(way.size()), {{6, 0}});
 }
 
 // The tree of the cells beside the square: each node above its children, leaves at equal distances.
@@ -121,7 +125,7 @@ PlaneDrawing draw_up_and_down() {
     const TreeLayout layout(tree, {18, 1.6}, {43.5, 14.8});
     draw_tree(sketch, tree, layout);
     for (std::size_t i = 0; i < way.size(); ++i)
-        sketch.words(layout.at(way[i].leaf()), std::to_string(i + 1), {{0, 24}, Anchor::center});
+        sketch.words(layout.at(way[i].leaf()), std::to_string(i + 1), {{i == step ? 10.0 : 0.0, 24}, Anchor::center});
     sketch.dot(layout.at(both), 9);
     for (std::size_t i = old.path.size() - 1; i >= common; --i)
         sketch.arrow(layout.at(*old.path[i]), layout.at(*old.path[i - 1]), {.line = plane_ink::vermilion, .width = 3});
