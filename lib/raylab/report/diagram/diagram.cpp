@@ -73,10 +73,9 @@ void set_style(Agraph_t* graph, const Diagram& diagram) {
     set(graph, "nodesep", "0.3");
     set(graph, "ranksep", diagram.layout == Diagram::Layout::layered ? "0.45" : "1.0");
     set(graph, "pad", "0.15");
-    for (const int kind : {AGNODE, AGEDGE}) {
-        agattr(graph, kind, c("fontname"), c(font));
-        agattr(graph, kind, c("fontsize"), c("11"));
-    }
+    for (const int kind : {AGNODE, AGEDGE}) agattr(graph, kind, c("fontname"), c(font));
+    agattr(graph, AGNODE, c("fontsize"), c("11"));
+    agattr(graph, AGEDGE, c("fontsize"), c("13"));  // of as few words, which are read beside a line
     agattr(graph, AGNODE, c("margin"), c("0.12,0.07"));
     agattr(graph, AGEDGE, c("arrowsize"), c("0.7"));
 }
@@ -103,7 +102,7 @@ Agnode_t* add_node(Agraph_t* graph, std::size_t number, const DiagramNode& node)
 void add_edge(Agraph_t* graph, const std::vector<Agnode_t*>& nodes, const DiagramEdge& edge) {
     assert(edge.from < nodes.size() && edge.to < nodes.size());
     auto* added = agedge(graph, nodes[edge.from], nodes[edge.to], nullptr, 1);
-    set(added, "label", edge.label.empty() ? "" : diagram_text(" " + edge.label));
+    set(added, "label", edge.label.empty() ? "" : diagram_text("  " + edge.label));
     set(added, "color", edge.color);
     set(added, "style", edge.style);
     set(added, "fontcolor", edge.label.empty() ? "" : edge.color);

@@ -13,7 +13,7 @@ namespace raylab {
 namespace {
 
 constexpr std::size_t most_in_detail = 15, most_in_a_word = 160;  // numbers of nodes
-constexpr double smallest_font = 12;  // in points, of words that are to be read on a page and on a screen
+constexpr double smallest_font = 13;  // in points, of words that are to be read on a page and on a screen
 constexpr const char *red = "#d00000", *grey = "#8a8a8a";
 
 std::string hex(const Color& color) {
@@ -98,7 +98,9 @@ DiagramNode style_of_ray(const RayNode& node, const Color& brought, const std::v
                      .pen = 1.5 + 2 * throughput};
     if (detail == Detail::full) {
         look.label = full_label(node, cut);
-        look.shape = missed ? "ellipse" : "box";
+        // Rounded where it hit nothing: an ellipse about three lines is half as wide again, and the tree would be shown
+        // smaller.
+        if (missed) look.style += look.style.empty() ? "rounded" : ",rounded";
         look.font = smallest_font + 3 * std::sqrt(throughput);
         return look;
     }
