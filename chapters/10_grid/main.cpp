@@ -58,7 +58,7 @@ void show_cost(const ChapterRun& run, Page& page, const Lazy<Scene>& scene) {
 // A scene for which no size is right, and ever finer ones.
 void show_limits(const ChapterRun& run, Page& page) {
     const Lazy<std::shared_ptr<const Scene>> stadium([&] { return stadium_scene(run); });
-    page.figure("stadium", [&] { return to_image(draw_stadium(*stadium())); });  // too many cells for an SVG
+    page.figure("stadium", [&] { return draw_stadium(*stadium()); });
     page.table("stadium", stadium_header(), [&] { return stadium_rows(stadium(), run); });
     const auto structures = structure_methods({"list", "grid", "grid_mailbox", "bvh"});
     const Lazy<std::vector<StructureCost>> growth([&] { return growth_counts(run, structures); });

@@ -53,9 +53,25 @@ std::shared_ptr<const Scene> stadium_scene(const ChapterRun& run) {
     return std::make_shared<const Scene>(knot_in_stadium(run.sized(6, 4), 50));
 }
 
-PlaneDrawing draw_stadium(const Scene& scene) {
-    return draw_structure(scene, make_accelerator("grid", scene)->outline(),
-                          {.title = "from above: each square a cell that holds something", .along = 1, .width = 800});
+Image draw_stadium(const Scene& scene) {
+    const Outline outline = make_accelerator("grid", scene)->outline();
+    constexpr int along = 1, side = 480;
+    constexpr float reach = 16;
+    PlaneDrawing all = draw_structure(
+        scene, outline, {.title = "cells that hold something", .along = along, .width = side, .height = side});
+    PlaneDrawing middle = draw_structure(scene, outline,
+                                         {.title = "the middle: the knot in four of them",
+                                          .along = along,
+                                          .shown = Box{Vec3f(-reach), Vec3f(reach)},
+                                          .width = side,
+                                          .height = side,
+                                          .max_shapes = 20'000});
+    all.marks.push_back(
+        PlaneDrawing::Figure{PlanePolygon{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}},
+                             {.line = "#d55e00", .width = 3}});
+    all.notes.clear();
+    middle.notes.clear();
+    return side_by_side({to_image(all), to_image(middle)}, 16);
 }
 
 std::vector<std::string> stadium_header() { return {"structure", "primitive tests", "steps", "box tests"}; }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "raylab/image/image.h"
 #include "raylab/report/chapter_run.h"
-#include "raylab/report/plane/plane_drawing.h"
 #include "raylab/scene/scene.h"
 
 #include <memory>
@@ -16,8 +16,8 @@ namespace raylab::grids {
 Scene knot_in_stadium(int levels, float wide);
 std::shared_ptr<const Scene> stadium_scene(const ChapterRun& run);
 
-/// The cells that hold something, from above.
-PlaneDrawing draw_stadium(const Scene& scene);
+/// The cells that hold something, from above, and the middle of them enlarged. They are too many for an SVG.
+Image draw_stadium(const Scene& scene);
 
 /// The costs of grids and of a hierarchy for a ray of the camera.
 std::vector<std::string> stadium_header();

@@ -4,6 +4,7 @@
 #include "z_buffer.h"
 
 #include "raylab/accelerator/item_buffer/item_buffer.h"
+#include "raylab/image/draw.h"
 #include "raylab/report/chapter_picture.h"
 #include "raylab/report/structure/structure_heat_map.h"
 #include "raylab/sampling/random.h"
@@ -71,8 +72,10 @@ Image items_kept(const Scene& scene, const ChapterRun& run) {
 
 Image wrong_items(const ChapterRun& run) {
     const auto scene = far_ball(run.sized(4, 2));
-    const int side = run.sized(640, 120);
-    const CameraFrame frame = camera_frame(scene->camera, {side, side});
+    const int side = run.sized(320, 120);
+    Camera camera = scene->camera;
+    camera.projection = Perspective{0.0065};  // the ball fills the picture
+    const CameraFrame frame = camera_frame(camera, {side, side});
     const auto tree = make_accelerator("bvh", *scene);
     Image image = first_hit_picture(*scene, *tree, frame, FirstHitShading::light, {.threads = run.threads});
     const Items drawn = z_buffer<float>(*std::get<std::shared_ptr<const Mesh>>(scene->objects[0].shape), frame);
@@ -84,7 +87,7 @@ Image wrong_items(const ChapterRun& run) {
             const bool same = item.has_value() == hit.has_value() && (!item || *item == hit->primitive.part);
             if (!same) image.at(x, y) = {0.9f, 0.05f, 0.02f};
         }
-    return image;
+    return enlarged(image, 2);  // one pixel of the wrong ones is hard to see
 }
 
 }  // namespace raylab::coherence

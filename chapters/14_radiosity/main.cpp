@@ -17,6 +17,7 @@
 #include "tables.h"
 
 #include "raylab/base/lazy.h"
+#include "raylab/image/color.h"
 #include "raylab/image/draw.h"
 #include "raylab/report/chapter.h"
 #include "raylab/scene/read_scene.h"
@@ -56,8 +57,9 @@ void story(const ChapterRun& run, Page& page) {
     page.figure("exchanges", [&] { return exchange_diagram(coarse()); });
     const Lazy<std::array<Radiosities, 4>> shots([&] { return after_shots(fine()); });
     constexpr std::array names{"shots_1", "shots_2", "shots_10", "shots_100"};
+    constexpr std::array stops{2, 2, 0, 0};  // the first two would be nearly black
     for (std::size_t i = 0; i < names.size(); ++i)
-        page.figure(names[i], [&, i] { return shown(fine(), shots()[i], scene(), half, run); });
+        page.figure(names[i], [&, i] { return exposed(shown(fine(), shots()[i], scene(), half, run), stops[i]); });
 
     // The hierarchy.
     page.figure("leaves", [&] { return leaves_picture(linked(scene(), 0.1, 0.01, run), scene(), half, run); });
