@@ -80,12 +80,14 @@ TEST_CASE("of a method with settings the answer is the cheapest that is good eno
         experiment.rows.push_back(set("jittered", "slivers", rays, 0.2 / rays));
         experiment.rows.push_back(set("random", "edges", rays, 2.0 / rays));
         experiment.rows.push_back(set("random", "slivers", rays, 2.0 / rays));
+        experiment.rows.push_back(set("regular", "edges", rays, 0.5 / rays));
+        experiment.rows.push_back(set("regular", "slivers", rays, 2.0 / rays));
         experiment.rows.push_back(set("centre", "edges", rays, 0.01));
         experiment.rows.push_back(set("centre", "slivers", rays, 0.3));
     }
     CHECK(answer_of(experiment) ==
-          "An error below 0.05 takes 16 rays by jittered, 64 rays by random (4.0 × the time); centre does not reach it "
-          "everywhere");
+          "An error below 0.05 takes 16 rays by jittered, 16 to 64 rays by regular (2.0 × the time), 64 rays by random "
+          "(4.0 × the time); centre does not reach it everywhere");
 }
 
 TEST_CASE("methods are in order of their worst error, then of their time relative to the fastest") {

@@ -32,6 +32,19 @@ void check_readable(const std::vector<LabelRequest>& requests) {
     }
 }
 
+Dot dot_of_front(const std::string& name, double error, double time) {
+    return {.row = 0,
+            .name = name,
+            .error = error,
+            .time = time,
+            .time_low = time,
+            .time_high = time,
+            .look = style_of(0),
+            .size = 1,
+            .kind = Dot::Kind::error_seen,
+            .place = Dot::Place::front};
+}
+
 }  // namespace
 
 TEST_CASE("a lone name stands to the right of its point, without a line") {
@@ -122,16 +135,7 @@ TEST_CASE("of a front with more names than room the ends are named") {
     for (const std::string name : {"most accurate of all", "second of the front", "third of the front",
                                    "fourth of the front", "the fastest of them all"}) {
         const double share = 0.3 + 0.1 * static_cast<double>(panel.dots.size());
-        panel.dots.push_back({.row = panel.dots.size(),
-                              .name = name,
-                              .error = share,
-                              .time = 1 - share,
-                              .time_low = 1 - share,
-                              .time_high = 1 - share,
-                              .look = style_of(0),
-                              .size = 1,
-                              .kind = Dot::Kind::error_seen,
-                              .place = Dot::Place::front});
+        panel.dots.push_back(dot_of_front(name, share, 1 - share));
     }
     Sketch sketch(300, 60);
     draw_names(sketch, {0, 0, 220, 54}, panel, {}, NamedPoints::front);
@@ -139,6 +143,24 @@ TEST_CASE("of a front with more names than room the ends are named") {
     CHECK(svg.find("most accurate of all") != std::string::npos);
     CHECK(svg.find("the fastest of them all") != std::string::npos);
     CHECK(svg.find("fourth of the front") == std::string::npos);
+}
+
+TEST_CASE("a name moves out of the way of a bar of times") {
+    const auto left_end = [](double low, double high) {
+        TradeoffPanel panel{"bars", {dot_of_front("the fast one", 0.4, 0.5)}, {}};
+        Dot barred = dot_of_front("another", 0.5, 0.9);
+        barred.time_low = low;
+        barred.time_high = high;
+        barred.place = Dot::Place::behind;
+        panel.dots.push_back(barred);
+        Sketch sketch(500, 200);
+        draw_names(sketch, {0, 0, 500, 200}, panel, {}, NamedPoints::front);
+        const auto svg = to_svg(std::move(sketch).drawing());
+        const auto text = svg.substr(svg.rfind("<text", svg.find("the fast one")));
+        return std::stod(text.substr(text.find("x=\"") + 3));
+    };
+    CHECK(left_end(0.9, 0.9) > 200);
+    CHECK(left_end(0.1, 0.9) < 200);
 }
 
 TEST_CASE("a bold name is taken to be as wide as it is drawn, and hardly wider") {

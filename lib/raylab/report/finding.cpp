@@ -97,6 +97,16 @@ std::optional<Within> within(const Experiment& experiment, const std::string& me
                   std::exp(logarithms / static_cast<double>(workloads.size()))};
 }
 
+// "1280 to 8192 triangles", "depth 3 to 7": what both say is said once.
+std::string range_text(const std::string& least, const std::string& most) {
+    if (least == most) return least;
+    const auto first = least.find(' '), last = least.rfind(' ');
+    if (first == std::string::npos) return least + " to " + most;
+    if (most.ends_with(least.substr(last))) return least.substr(0, last) + " to " + most;
+    const bool same_beginning = most.starts_with(least.substr(0, first + 1));
+    return least + " to " + (same_beginning ? most.substr(first + 1) : most);
+}
+
 std::string found_answer(const Experiment& experiment) {
     const auto methods = methods_in_order(experiment);
     const auto* best = best_of(methods);
@@ -129,8 +139,7 @@ std::function<std::string(const Experiment&)> answer_within(double bound) {
         std::string answer = "An error below " + number_text(bound) + " takes ";
         for (const auto& [method, least, most, time] : reached)
             answer +=
-                (&method == &reached.front().method ? "" : ", ") + least + (least == most ? "" : " to " + most) +
-                " by " + method +
+                (&method == &reached.front().method ? "" : ", ") + range_text(least, most) + " by " + method +
                 (time > reached.front().time ? " (" + ratio_text(time / reached.front().time) + " the time)" : "");
         if (reached.empty()) answer += "more than was tried";
         return answer + (not_reached.empty() ? "" : not_reached + " does not reach it everywhere");

@@ -87,6 +87,7 @@ private:
             for (const auto i : curve) points.push_back(place_of(shown.dots[i], area, all_));
             sketch_.path(points, {.line = shown.dots[curve.front()].look.color, .width = 1.2});
         }
+        for (const auto& dot : shown.dots) bar(area, dot);
         draw_names(sketch_, area, shown, all_, names_all() ? NamedPoints::all : NamedPoints::front);
         for (const auto& dot : shown.dots) mark(area, dot);
     }
@@ -164,11 +165,15 @@ private:
         }
     }
 
+    /// The quartiles of the time.
+    void bar(const Rectangle& area, const Dot& dot) {
+        const auto [low, high] = bar_of(dot, area, all_);
+        sketch_.line(low.x, low.y, high.x, high.y, line_of(dot));
+    }
+
     void mark(const Rectangle& area, const Dot& dot) {
         const auto [x, y] = place_of(dot, area, all_);
-        const auto height_of = [&](double time) { return std::lerp(area.y1, area.y0, all_.time.share(time)); };
-        const PlaneStyle line{.line = dot.look.color, .width = 1.4};
-        sketch_.line(x, height_of(dot.time_low), x, height_of(dot.time_high), line);
+        const PlaneStyle line = line_of(dot);
         const bool seen = dot.kind == Dot::Kind::error_seen;
         if (!seen) {
             sketch_.line(x, y, x - 20, y, line);
@@ -177,6 +182,8 @@ private:
         sketch_.marker(x, y, 4 * dot.size, dot.look, seen ? MarkFill::filled : MarkFill::hollow,
                        measurement_words(experiment_, experiment_.rows[dot.row]));
     }
+
+    static PlaneStyle line_of(const Dot& dot) { return {.line = dot.look.color, .width = 1.4}; }
 
     const Experiment& experiment_;
     Tradeoffs all_;

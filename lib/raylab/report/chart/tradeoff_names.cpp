@@ -28,6 +28,8 @@ Surroundings surroundings_of(const Rectangle& frame, const TradeoffPanel& panel,
             add_line(around.lines, place_of(panel.dots[curve[i - 1]], frame, all),
                      place_of(panel.dots[curve[i]], frame, all));
     for (const auto& dot : panel.dots) {
+        const auto [low, high] = bar_of(dot, frame, all);
+        add_line(around.lines, low, high);
         const auto [x, y] = place_of(dot, frame, all);
         const double reach = dot.kind == Dot::Kind::no_error_seen ? 24 : 7;
         around.markers.push_back({x - reach, y - 7, x + 7, y + 7});
@@ -49,6 +51,13 @@ std::vector<const Dot*> named_dots(const TradeoffPanel& panel, NamedPoints which
 Point2 place_of(const Dot& dot, const Rectangle& frame, const Tradeoffs& all) {
     return {std::lerp(frame.x0, frame.x1, all.error.share(dot.error)),
             std::lerp(frame.y1, frame.y0, all.time.share(dot.time))};
+}
+
+std::array<Point2, 2> bar_of(const Dot& dot, const Rectangle& frame, const Tradeoffs& all) {
+    Dot low = dot, high = dot;
+    low.time = dot.time_low;
+    high.time = dot.time_high;
+    return {place_of(low, frame, all), place_of(high, frame, all)};
 }
 
 void draw_names(Sketch& sketch, const Rectangle& frame, const TradeoffPanel& panel, const Tradeoffs& all,

@@ -3,6 +3,8 @@
 #include "raylab/report/chart/sketch.h"
 #include "raylab/report/chart/tradeoff_panels.h"
 
+#include <array>
+
 namespace raylab {
 
 /// Which points of a panel are named beside them.
@@ -15,5 +17,8 @@ void draw_names(Sketch& sketch, const Rectangle& frame, const TradeoffPanel& pan
 
 /// The place of a point in a panel's frame.
 Point2 place_of(const Dot& dot, const Rectangle& frame, const Tradeoffs& all);
+
+/// The ends of the bar of its times' quartiles.
+std::array<Point2, 2> bar_of(const Dot& dot, const Rectangle& frame, const Tradeoffs& all);
 
 }  // namespace raylab
