@@ -6,6 +6,7 @@
 #include "sha256.h"
 #include "submission.h"
 
+#include "raylab/base/with_all_replaced.h"
 #include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
@@ -129,11 +130,8 @@ Outcome outcome_of(const Exercise& exercise, const JudgedAnswers& asked) {
 }
 
 // Messages of the compiler with the name that was asked for: a path would tell the course's folders, and names in them.
-std::string with_name(std::string messages, const std::filesystem::path& file, const std::string& name) {
-    const auto path = file.lexically_normal().string();
-    for (auto at = messages.find(path); at != messages.npos; at = messages.find(path, at + name.size()))
-        messages.replace(at, path.size(), name);
-    return messages;
+std::string with_name(const std::string& messages, const std::filesystem::path& file, const std::string& name) {
+    return with_all_replaced(messages, file.lexically_normal().string(), name);
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }

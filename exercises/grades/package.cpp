@@ -5,6 +5,7 @@
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/nearest_name.h"
+#include "raylab/base/with_all_replaced.h"
 #include "raylab/report/provenance.h"
 
 #include <fmt/format.h>
@@ -17,15 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string filled_in(std::string text, const std::string& name, const std::string& value) {
-    for (auto at = text.find(name); at != text.npos; at = text.find(name, at + value.size()))
-        text.replace(at, name.size(), value);
-    return text;
-}
-
 void copy_script(const Exercise& exercise, const fs::path& from, const fs::path& to) {
-    auto text = filled_in(read_file(from), "@NN@", exercise.folder.substr(0, exercise.folder.find('_')));
-    text = filled_in(filled_in(std::move(text), "@SLOT@", exercise.slot), "@FOLDER@", exercise.folder);
+    auto text = with_all_replaced(read_file(from), "@NN@", exercise.folder.substr(0, exercise.folder.find('_')));
+    text = with_all_replaced(text, "@SLOT@", exercise.slot);
+    text = with_all_replaced(text, "@FOLDER@", exercise.folder);
     write_file(to, text);
     fs::permissions(to, fs::status(from).permissions());
 }

@@ -9,6 +9,7 @@
 #include "raylab/base/printable.h"
 #include "raylab/base/process.h"
 #include "raylab/base/temporary.h"
+#include "raylab/base/with_all_replaced.h"
 #include "raylab/image/picture_files/files.h"
 #include "raylab/image/picture_files/openimageio.h"
 
@@ -87,10 +88,8 @@ ForeignPicture read_picture_apart(const fs::path& file, const Isolation& isolati
         },
         {.timeout = patience, .output_limit = largest_picture});
     if (result.succeeded()) return picture_in(result.output);
-    auto reason = result.end == ProcessResult::End::exited ? result.errors : to_string(result);
-    const auto path = copy.string();
-    if (const auto at = reason.find(path); at != reason.npos) reason.replace(at, path.size(), "the picture");
-    return {{}, on_one_line(printable_lines(reason))};
+    const auto reason = result.end == ProcessResult::End::exited ? result.errors : to_string(result);
+    return {{}, on_one_line(printable_lines(with_all_replaced(reason, copy.string(), "the picture")))};
 }
 
 }  // namespace raylab::grading

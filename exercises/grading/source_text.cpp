@@ -4,6 +4,7 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
+#include "raylab/base/with_all_replaced.h"
 
 #include <fmt/format.h>
 
@@ -20,18 +21,6 @@ namespace {
 
 constexpr std::size_t shown_lines = 20;     // the first errors are the true ones
 constexpr std::size_t shown_columns = 240;  // of a line; templates can fill pages
-
-std::string with_all(const std::string& text, const std::string& part, const std::string& by) {
-    std::string result;
-    std::size_t begin = 0;
-    for (auto at = text.find(part); at != text.npos; at = text.find(part, begin)) {
-        result.append(text, begin, at - begin).append(by);
-        begin = at + part.size();
-    }
-    return result.append(text, begin);
-}
-
-std::string without_all(const std::string& text, const std::string& part) { return with_all(text, part, ""); }
 
 bool is_below(const fs::path& file, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
@@ -56,7 +45,7 @@ bool is_of_system(const fs::path& file) {
 std::string source_text(const fs::path& file) {
     auto text = read_file(file, largest_source);
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    return with_all(text, "\r\n", "\n");
+    return with_all_replaced(text, "\r\n", "\n");
 }
 
 std::vector<std::string> faults_of_directives(const std::string& text) {
@@ -76,7 +65,7 @@ std::vector<std::string> faults_of_directives(const std::string& text) {
 }
 
 std::vector<fs::path> included_files(const fs::path& dependencies) {
-    std::istringstream words(without_all(read_file(dependencies), "\\\n"));
+    std::istringstream words(with_all_replaced(read_file(dependencies), "\\\n", ""));
     std::vector<std::string> names{std::istream_iterator<std::string>(words), {}};
     // "answer.o:", then the file itself, then all that it includes
     return {names.begin() + std::min<std::ptrdiff_t>(2, std::ssize(names)), names.end()};
@@ -96,9 +85,9 @@ std::vector<std::string> faults_of_includes(const std::vector<fs::path>& include
 }
 
 std::string shown_messages(const std::string& messages, const fs::path& copy, const fs::path& file) {
-    auto text = with_all(messages, copy.filename().string() + ":", file.lexically_normal().string() + ":");
-    text = without_all(text, copy.parent_path().string() + "/include/");
-    text = with_all(text, "./raylab/", "raylab/");  // headers that were compiled before
+    auto text = with_all_replaced(messages, copy.filename().string() + ":", file.lexically_normal().string() + ":");
+    text = with_all_replaced(text, copy.parent_path().string() + "/include/", "");
+    text = with_all_replaced(text, "./raylab/", "raylab/");  // headers that were compiled before
     std::istringstream lines(printable_lines(text));
     std::string shown;
     std::size_t count = 0;

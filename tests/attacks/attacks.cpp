@@ -8,6 +8,7 @@
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
 #include "raylab/base/temporary.h"
+#include "raylab/base/with_all_replaced.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -27,12 +28,6 @@ const fs::path folder = fs::path(RAYLAB_BUILD) / "tests/attacks";
 const fs::path victim = folder / "victim";
 const std::string treasure = "what must stay";
 constexpr std::size_t at_once = 4;  // most of them wait for a compiler
-
-std::string with(std::string text, const std::string& name, const std::string& value) {
-    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + value.size()))
-        text.replace(at, name.size(), value);
-    return text;
-}
 
 fs::path written(const Attack& attack) {
     constexpr const char* begin = R"(#include "raylab/geometry/nearest_sphere_hit.h"
@@ -56,12 +51,13 @@ fs::path written(const Attack& attack) {
 #include <vector>
 namespace { [[noreturn, maybe_unused]] void got_through() { std::abort(); } }
 )";
-    const auto text = begin + attack.before +
-                      "\nstd::optional<double> raylab::nearest_sphere_hit(const RayOf<double>& ray, const "
-                      "SphereOf<double>& sphere) {\n" +
-                      attack.body + "\n    return std::nullopt;\n}\n";
+    auto text = begin + attack.before +
+                "\nstd::optional<double> raylab::nearest_sphere_hit(const RayOf<double>& ray, const "
+                "SphereOf<double>& sphere) {\n" +
+                attack.body + "\n    return std::nullopt;\n}\n";
     const auto file = folder / (attack.name + ".cpp");
-    raylab::write_file(file, with(with(text, "@SOURCE@", RAYLAB_SOURCE), "@VICTIM@", victim.string()));
+    text = raylab::with_all_replaced(text, "@SOURCE@", RAYLAB_SOURCE);
+    raylab::write_file(file, raylab::with_all_replaced(text, "@VICTIM@", victim.string()));
     return file;
 }
 

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
+#include "raylab/base/with_all_replaced.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,11 +21,7 @@ using Kind = Temporary::Kind;
 
 /// A copy of the Error with one path replaced by another.
 Error renamed(const Error& error, const fs::path& from, const fs::path& to) {
-    std::string message = error.what();
-    for (auto at = message.find(from.native()); at != message.npos;
-         at = message.find(from.native(), at + to.native().size()))
-        message.replace(at, from.native().size(), to.native());
-    return Error(message);
+    return Error(with_all_replaced(error.what(), from.native(), to.native()));
 }
 
 Error unwritable(const OutputPlace& place, const fs::filesystem_error& error) {

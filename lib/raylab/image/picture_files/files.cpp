@@ -3,6 +3,7 @@
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/thread_pool.h"
+#include "raylab/base/with_all_replaced.h"
 #include "raylab/image/check_picture_size.h"
 #include "raylab/image/exr_header.h"
 #include "raylab/image/finite.h"
@@ -97,11 +98,8 @@ struct Written {
     fs::path file, name;
 };
 
-Error refused(const Written& to, std::string reason) {
-    const std::string file = to.file.string();
-    for (auto at = reason.find(file); at != std::string::npos; at = reason.find(file, at))
-        reason.replace(at, file.size(), "it");
-    return {{to.name.string()}, "a place that can be written", reason};
+Error refused(const Written& to, const std::string& reason) {
+    return {{to.name.string()}, "a place that can be written", with_all_replaced(reason, to.file.string(), "it")};
 }
 
 void write_exr(const Written& to, const Image& image) {

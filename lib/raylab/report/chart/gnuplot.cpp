@@ -4,6 +4,7 @@
 #include "raylab/base/file.h"
 #include "raylab/base/print.h"
 #include "raylab/base/process.h"
+#include "raylab/base/with_all_replaced.h"
 
 #include <fmt/format.h>
 
@@ -41,17 +42,14 @@ std::string drawn(const fs::path& gnuplot, const std::string& script, double tim
     throw Error({subject.string()}, "a picture", failure_of("gnuplot", result));
 }
 
-void replace_all(std::string& text, std::string_view found, std::string_view better) {
-    for (auto at = text.find(found); at != std::string::npos; at = text.find(found, at + better.size()))
-        text.replace(at, found.size(), better);
-}
-
 // The SVG falls back from DejaVu Sans to Verdana, which has the same widths. Squares and diamonds get about the area of
 // the other markers.
 std::string improved(std::string svg) {
-    replace_all(svg, "font-family=\"DejaVu Sans\"", "font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\"");
-    replace_all(svg, "x='-1' y='-1' width='2' height='2'/>", "x='-0.85' y='-0.85' width='1.7' height='1.7'/>");
-    replace_all(svg, "stroke-width='0.190'", "stroke-width='0.3'");  // hollow markers as bold as the lines
+    svg = with_all_replaced(svg, "font-family=\"DejaVu Sans\"",
+                            "font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\"");
+    svg = with_all_replaced(svg, "x='-1' y='-1' width='2' height='2'/>",
+                            "x='-0.85' y='-0.85' width='1.7' height='1.7'/>");
+    svg = with_all_replaced(svg, "stroke-width='0.190'", "stroke-width='0.3'");  // hollow markers as bold as the lines
     return svg;
 }
 

@@ -6,6 +6,7 @@
 #include "raylab/base/printable.h"
 #include "raylab/base/process.h"
 #include "raylab/base/temporary.h"
+#include "raylab/base/with_all_replaced.h"
 #include "raylab/report/diagram/diagram_text.h"
 
 #include <fmt/format.h>
@@ -143,10 +144,8 @@ void add_inset(Agraph_t* graph, const std::string& file) {
 }
 
 // An SVG that holds the inset itself instead of its file's name.
-std::string with_inset_inside(std::string svg, const std::string& file, const std::string& png) {
-    if (const auto at = svg.find(file); at != std::string::npos)
-        svg.replace(at, file.size(), "data:image/png;base64," + base64(png));
-    return svg;
+std::string with_inset_inside(const std::string& svg, const std::string& file, const std::string& png) {
+    return with_all_replaced(svg, file, "data:image/png;base64," + base64(png));
 }
 
 // Graphviz reads an inset from a file only. Where that cannot be written, the message names the diagram.

@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/base/process.h"
+#include "raylab/base/with_all_replaced.h"
 #include "raylab/report/page/html.h"
 
 #include <algorithm>
@@ -27,11 +28,8 @@ std::string without_newlines(std::string text) {
 }
 
 // blahtexml writes a hyphen, which browsers draw as the short stroke that it is.
-std::string with_minus_signs(std::string markup) {
-    constexpr std::string_view hyphen = ">-</mo>";
-    for (auto at = markup.find(hyphen); at != std::string::npos; at = markup.find(hyphen, at))
-        markup.replace(at, hyphen.size(), ">&#x2212;</mo>");
-    return markup;
+std::string with_minus_signs(const std::string& markup) {
+    return with_all_replaced(markup, ">-</mo>", ">&#x2212;</mo>");
 }
 
 std::string markup_of(const std::string& tex) {
