@@ -6,6 +6,7 @@
 
 #include "raylab/base/file.h"
 #include "raylab/base/printable.h"
+#include "raylab/base/small_letters.h"
 
 #include <fmt/format.h>
 
@@ -72,16 +73,10 @@ bool is_anothers(const Exercise& asked, const fs::path& file) {
     });
 }
 
-std::string in_small_letters(std::string text) {
-    for (char& letter : text)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    return text;
-}
-
 std::string words_of_missing(const std::string& wanted, const Files& files, const fs::path& folder) {
     auto words = fmt::format("expected a file {}, found {}", wanted,
                              files.all.empty() ? "no file" : names_of(files.all, folder));
-    const auto is_nearly = [&](const fs::path& file) { return in_small_letters(file.filename().string()) == wanted; };
+    const auto is_nearly = [&](const fs::path& file) { return equal_ignoring_case(file.filename().string(), wanted); };
     if (std::ranges::any_of(files.all, is_nearly)) words += "; small letters and capitals differ";
     if (!files.links.empty()) words += "; not followed, since it is a link: " + names_of(files.links, folder);
     return words;

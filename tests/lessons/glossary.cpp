@@ -1,7 +1,8 @@
 #include "glossary.h"
 
+#include "raylab/base/small_letters.h"
+
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <regex>
 #include <set>
@@ -15,11 +16,6 @@ constexpr auto list_of_words = "Words and symbols";
 // Parts whose bold words define nothing, or whose words are quoted.
 bool is_aside(const Part& part) {
     return part.heading == list_of_words || part.heading == "Sources and further reading";
-}
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 std::string in_one_line(std::string text) {
@@ -73,7 +69,8 @@ std::vector<Definition> definitions(const LessonText& lesson) {
     const RunningText text(lesson, may_define);
     for (auto match = std::sregex_iterator(text.text().begin(), text.text().end(), stars);
          match != std::sregex_iterator(); ++match)
-        found.push_back({in_one_line(lower((*match)[1])), text.line_at(static_cast<std::size_t>(match->position()))});
+        found.push_back({in_one_line(in_small_letters((*match)[1].str())),
+                         text.line_at(static_cast<std::size_t>(match->position()))});
     return found;
 }
 
@@ -102,7 +99,8 @@ std::vector<std::string> listed_terms(const LessonText& lesson) {
     if (const Part* part = lesson.part(list_of_words))
         for (const Line& line : part->lines)
             if (line.text.starts_with("- **"))
-                if (const auto found = bold(line.text); !found.empty()) terms.push_back(lower(found.front()));
+                if (const auto found = bold(line.text); !found.empty())
+                    terms.push_back(in_small_letters(found.front()));
     return terms;
 }
 

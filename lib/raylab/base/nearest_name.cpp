@@ -1,5 +1,7 @@
 #include "raylab/base/nearest_name.h"
 
+#include "raylab/base/small_letters.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -13,13 +15,6 @@ constexpr std::size_t longest_compared = 64;  // because the work grows with the
 std::string in_quotes(std::string_view name) { return '"' + std::string(name) + '"'; }
 
 }  // namespace
-
-std::string in_small_letters(std::string_view name) {
-    std::string small(name);
-    for (char& letter : small)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    return small;
-}
 
 // Optimal string alignment: the rows of Wagner and Fischer (1974), with swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -7,9 +7,6 @@
 
 namespace raylab {
 
-/// ASCII capitals made small.
-std::string in_small_letters(std::string_view name);
-
 /// The number of letters that must be inserted, removed, replaced or swapped with their neighbour to turn one name into
 /// the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);

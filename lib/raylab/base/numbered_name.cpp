@@ -1,6 +1,7 @@
 #include "raylab/base/numbered_name.h"
 
 #include "raylab/base/nearest_name.h"
+#include "raylab/base/small_letters.h"
 
 #include <algorithm>
 #include <vector>
@@ -26,10 +27,9 @@ std::string_view without_zeros(std::string_view number) {
 }  // namespace
 
 bool means_folder(std::string_view word, std::string_view folder) {
-    const std::string small = in_small_letters(word);
     const auto [number, name] = parts(folder);
-    return small == folder || (!name.empty() && small == name) ||
-           (!small.empty() && without_zeros(small) == without_zeros(number));
+    return equal_ignoring_case(word, folder) || (!name.empty() && equal_ignoring_case(word, name)) ||
+           (!word.empty() && equal_ignoring_case(without_zeros(word), without_zeros(number)));
 }
 
 std::string with_suggested_folder(std::string_view word, std::span<const std::string> folders) {

@@ -1,13 +1,13 @@
 #include "raylab/report/page/index_page.h"
 
 #include "raylab/base/read_json.h"
+#include "raylab/base/small_letters.h"
 #include "raylab/report/page/html.h"
 #include "raylab/report/page/page_parts.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -36,11 +36,6 @@ std::string without_tags(const std::string& html) {
             text += html[at];
         }
     }
-    return text;
-}
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
@@ -102,7 +97,7 @@ std::string to_string(EntryKind kind) {
 std::vector<IndexEntry> sorted(const std::vector<IndexEntry>& entries, EntryKind kind) {
     std::vector<IndexEntry> some;
     std::ranges::copy_if(entries, std::back_inserter(some), [&](const auto& entry) { return entry.kind == kind; });
-    std::ranges::stable_sort(some, {}, [](const auto& entry) { return lower(without_tags(entry.html)); });
+    std::ranges::stable_sort(some, {}, [](const auto& entry) { return in_small_letters(without_tags(entry.html)); });
     return some;
 }
 

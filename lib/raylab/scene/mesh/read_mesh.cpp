@@ -3,6 +3,7 @@
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
 #include "raylab/base/nearest_name.h"
+#include "raylab/base/small_letters.h"
 #include "raylab/scene/mesh/mesh_formats.h"
 #include "raylab/scene/mesh/text_lines.h"
 

@@ -1,4 +1,5 @@
 #include "raylab/base/bytes.h"
+#include "raylab/base/small_letters.h"
 #include "raylab/scene/mesh/mesh_formats.h"
 #include "raylab/scene/mesh/text_lines.h"
 #include "raylab/scene/mesh_builder.h"
@@ -32,17 +33,11 @@ bool has_binary_size(std::string_view bytes) {
     return bytes.size() >= first_facet && bytes.size() == first_facet + facet_size * facet_count(bytes);
 }
 
-bool same_ignoring_case(std::string_view word, std::string_view lower) {
-    return word.size() == lower.size() && std::equal(word.begin(), word.end(), lower.begin(), [](char a, char b) {
-               return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b);
-           });
-}
-
 // "solid" alone proves nothing, because many binary files begin so. But those hold a NUL, which no text does: in their
 // number of facets already, if it is below 2^24.
 bool is_text(std::string_view bytes) {
     TextLines lines(bytes, {});
-    return bytes.find('\0') == bytes.npos && lines.next() && same_ignoring_case(lines.words()[0], "solid");
+    return bytes.find('\0') == bytes.npos && lines.next() && equal_ignoring_case(lines.words()[0], "solid");
 }
 
 /// Turns facets into faces: equal vertices become one, in order of appearance. It sorts instead of hashing, because for
@@ -125,7 +120,7 @@ Mesh read_binary(std::string_view bytes, const std::string& name, const MemoryLi
 
 bool begins_with(const TextLines& lines, std::initializer_list<std::string_view> words) {
     return lines.words().size() >= words.size() &&
-           std::ranges::equal(lines.words() | std::views::take(words.size()), words, same_ignoring_case);
+           std::ranges::equal(lines.words() | std::views::take(words.size()), words, equal_ignoring_case);
 }
 
 // Throws an Error unless the line holds these words, and then as many more.
