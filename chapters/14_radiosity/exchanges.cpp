@@ -1,5 +1,7 @@
 #include "exchanges.h"
 
+#include "raylab/scene/mean_of_channels.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,9 +25,6 @@ std::size_t part_of(const SceneRadiosity& solved, std::size_t patch) {
     return object < 6 ? object : object < 11 ? 6 : 7;
 }
 
-// Watts, as the mean of the channels.
-double watts(const Color& power) { return (power.r + power.g + power.b) / 3; }
-
 }  // namespace
 
 Diagram exchange_diagram(const SceneRadiosity& solved) {
@@ -41,7 +40,7 @@ Diagram exchange_diagram(const SceneRadiosity& solved) {
     const RadiositySystem& system = solved.system;
     for (std::size_t i = 0; i < system.patches(); ++i) {
         const std::size_t from = part_of(solved, i);
-        const double power = system.area[i] * watts(solved.solution.radiosity[i]);
+        const double power = system.area[i] * mean_of_channels(solved.solution.radiosity[i]);  // watts
         leaving[from] += power;
         for (std::size_t j = 0; j < system.patches(); ++j)
             exchanges[from * parts + part_of(solved, j)].power += power * system.form_factors.at(i, j);

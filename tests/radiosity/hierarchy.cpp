@@ -5,6 +5,7 @@
 #include "raylab/radiosity/hierarchical_scene.h"
 #include "raylab/radiosity/patch_form_factors.h"
 #include "raylab/radiosity/scene_radiosity.h"
+#include "raylab/scene/mean_of_channels.h"
 
 #include <array>
 #include <numbers>
@@ -58,7 +59,7 @@ std::array<CarriedPower, 2> carried_power(const Scene& scene, const Hierarchical
     for (std::uint32_t i = 0; i < solved.links.size(); ++i)
         for (const Link& link : solved.links[i]) {
             const Element &to = solved.elements[i], &from = solved.elements[link.source];
-            const double sent = brightness(solved.light.radiosity[link.source]),
+            const double sent = mean_of_channels(solved.light.radiosity[link.source]),
                          open = visibility
                                     .share({to.root, to.patch}, {from.root, from.patch}, 32,
                                            shifts_of_pair(to.number + 1'000'000, from.number), traversal)

@@ -2,6 +2,7 @@
 #include "rooms.h"
 
 #include "raylab/radiosity/radiosity_within.h"
+#include "raylab/scene/mean_of_channels.h"
 
 #include <cmath>
 #include <numbers>
@@ -19,8 +20,6 @@ Scene room_with_plate() {
     return scene;
 }
 
-double mean_channel_of(const Color& color) { return (color.r + color.g + color.b) / 3; }
-
 // How far what is shown is from a finer solution's patches, relative to their mean, as picture_error() counts it.
 double true_error(const RadiosityView& view, const SceneRadiosity& fine) {
     double sum = 0, mean = 0, area = 0;
@@ -28,8 +27,8 @@ double true_error(const RadiosityView& view, const SceneRadiosity& fine) {
         const Patch& patch = fine.mesh->patches[i];
         if (fine.mesh->material(patch).emission != Color(0)) continue;
         const auto at = patch_at(view.mesh, fine.mesh->occluder(patch), patch.side, patch.center);
-        const double truth = mean_channel_of(fine.solution.radiosity[i]);
-        sum += patch.area * std::pow(mean_channel_of(interpolated_radiosity(view, at)) - truth, 2);
+        const double truth = mean_of_channels(fine.solution.radiosity[i]);
+        sum += patch.area * std::pow(mean_of_channels(interpolated_radiosity(view, at)) - truth, 2);
         mean += patch.area * truth;
         area += patch.area;
     }

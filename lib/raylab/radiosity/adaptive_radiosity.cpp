@@ -2,6 +2,7 @@
 
 #include "raylab/base/error.h"
 #include "raylab/radiosity/mesh/quartered_mesh.h"
+#include "raylab/scene/mean_of_channels.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +12,6 @@
 namespace raylab {
 
 namespace {
-
-double mean_of_channels(const Color& color) { return (color.r + color.g + color.b) / 3; }
 
 // The mean over the area of what is reflected: emitters would make all other differences small.
 double mean_reflected(const SceneRadiosity& solved) {

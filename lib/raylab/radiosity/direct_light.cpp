@@ -2,6 +2,7 @@
 
 #include "raylab/base/tiles.h"
 #include "raylab/sampling/even_point.h"
+#include "raylab/scene/mean_of_channels.h"
 
 #include <algorithm>
 #include <limits>
@@ -39,7 +40,7 @@ ArrivingLight PatchLights::on(const PatchVisibility::Part& part, int points, Tra
         const Vec3d point = point_of(part.patch, u, v);
         const Color at_point = at(part, point, traversal);
         sum += at_point;
-        const double bright = (at_point.r + at_point.g + at_point.b) / 3;
+        const double bright = mean_of_channels(at_point);
         least = std::min(least, bright);
         most = std::max(most, bright);
     }

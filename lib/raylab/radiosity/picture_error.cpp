@@ -4,6 +4,7 @@
 #include "raylab/radiosity/final_gather.h"
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/sampling/even_point.h"
+#include "raylab/scene/mean_of_channels.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,6 @@
 namespace raylab {
 
 namespace {
-
-double mean_channel(const Color& color) { return (color.r + color.g + color.b) / 3; }
 
 /// A place at which a solution is asked: u and v are point_of()'s.
 struct AskedPlace {
@@ -40,7 +39,7 @@ Color shown_at(const RadiosityView& view, const AskedPlace& at) {
 double contrast(const RadiosityView& view, std::uint32_t patch) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const auto& [u, v] : {std::array{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
-        const double shown = mean_channel(shown_at(view, {patch, u, v, 1}));
+        const double shown = mean_of_channels(shown_at(view, {patch, u, v, 1}));
         least = std::min(least, shown);
         most = std::max(most, shown);
     }
@@ -100,13 +99,13 @@ PictureError picture_error(const RadiosityView& view, int threads) {
             const AskedPlace& at = places[i];
             const Patch& patch = view.mesh.patches[at.patch];
             const Vec3d point = point_of(patch, at.u, at.v);
-            const double shown = mean_channel(shown_at(view, at));
+            const double shown = mean_of_channels(shown_at(view, at));
             const auto by = [&](std::uint64_t sample) {
                 return gather.at(at.patch, point, {GatherRays::End::random, 2 * i + sample}, traversal);
             };
             const auto first = by(0), second = by(1);
-            found[i] = {shown, mean_channel(first.radiosity) - shown, mean_channel(second.radiosity) - shown,
-                        mean_channel(patch_reflectance(view.mesh, patch)) * (first.filled + second.filled) / 2};
+            found[i] = {shown, mean_of_channels(first.radiosity) - shown, mean_of_channels(second.radiosity) - shown,
+                        mean_of_channels(patch_reflectance(view.mesh, patch)) * (first.filled + second.filled) / 2};
         }
     });
     double square = 0, residual = 0, shown = 0, returned = 0;

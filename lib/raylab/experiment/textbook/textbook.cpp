@@ -3,6 +3,7 @@
 #include "raylab/experiment/textbook/textbook_surface.h"
 #include "raylab/geometry/largest_coordinate.h"
 #include "raylab/scene/background.h"
+#include "raylab/scene/mean_of_channels.h"
 #include "raylab/scene/pigment.h"
 #include "raylab/tracer/in_shadow.h"
 #include "raylab/tracer/local_color.h"
@@ -97,7 +98,7 @@ private:
             std::size_t call = 0;
             level.trace = [&](const Vec3d&, int) { return call++ == white ? Color{1, 1, 1} : Color{0, 0, 0}; };
             const Color more = traced_color(level) - own;
-            branches[white].share = (more.x + more.y + more.z) / 3;
+            branches[white].share = mean_of_channels(more);
         }
         RayNode& n = tree_.nodes[node];
         n.local = own;

@@ -1,11 +1,11 @@
 #include "raylab/radiosity/hierarchy/element_light.h"
 
+#include "raylab/scene/mean_of_channels.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace raylab {
-
-double brightness(const Color& color) { return (color.r + color.g + color.b) / 3; }
 
 std::vector<double> open_areas(const ElementTree& elements, const std::vector<double>& open_shares) {
     std::vector<double> open(elements.size());
@@ -45,7 +45,7 @@ void pull_up(const ElementTree& elements, const std::vector<Color>& arriving, co
             pull_from_quarters(elements[i], open, i, light);
         } else {
             light.radiosity[i] = light.emission[i] + light.reflectance[i] * arriving[i];
-            light.least[i] = light.most[i] = brightness(light.radiosity[i]);
+            light.least[i] = light.most[i] = mean_of_channels(light.radiosity[i]);
         }
     }
 }

@@ -12,11 +12,8 @@ struct ElementLight {
     std::vector<Color> emission;  // E, with what a leaf reflects of lights and background
     std::vector<Color> reflectance;
     Radiosities radiosity;            // of an inner element the mean over its leaves' open areas
-    std::vector<double> least, most;  // brightness() of its open leaves
+    std::vector<double> least, most;  // mean_of_channels() of its open leaves
 };
-
-/// The mean of the channels: to refine a link, light is one number.
-double brightness(const Color& color);
 
 /// The open area of each element: of its leaves the area times the share of their view that has patches, and 0 for
 /// none. One under a box that stands on it sees nothing, is seen by nobody, and is dark. What hides it has reduced the

@@ -1,5 +1,7 @@
 #include "raylab/radiosity/hierarchy/link_refinement.h"
 
+#include "raylab/scene/mean_of_channels.h"
+
 #include <algorithm>
 
 namespace raylab {
@@ -14,7 +16,7 @@ struct LinkErrors {
 
 LinkErrors errors_of(const ElementLight& light, std::uint32_t receiver, const Link& link) {
     const Color& rho = light.reflectance[receiver];
-    const double reflected = std::max({rho.r, rho.g, rho.b}), sent = brightness(light.radiosity[link.source]),
+    const double reflected = std::max({rho.r, rho.g, rho.b}), sent = mean_of_channels(light.radiosity[link.source]),
                  range = light.most[link.source] - light.least[link.source];
     return {reflected * sent * link.spread, reflected * sent * link.hidden_bound, reflected * link.variation * range};
 }

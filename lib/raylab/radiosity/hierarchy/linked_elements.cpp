@@ -3,6 +3,7 @@
 #include "raylab/radiosity/scene_system.h"
 #include "raylab/radiosity/solve/residual.h"
 #include "raylab/scene/background.h"
+#include "raylab/scene/mean_of_channels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,8 @@ void LinkedElements::add_state(std::size_t element) {
     light_.reflectance.push_back(patch_reflectance(mesh_, one.patch));
     const Color radiosity = one.parent == element ? Color(0) : light_.radiosity[one.parent];
     light_.radiosity.push_back(radiosity);
-    light_.least.push_back(brightness(radiosity));
-    light_.most.push_back(brightness(radiosity));
+    light_.least.push_back(mean_of_channels(radiosity));
+    light_.most.push_back(mean_of_channels(radiosity));
 }
 
 std::uint32_t LinkedElements::quarter(std::uint32_t element) {
@@ -104,8 +105,8 @@ double LinkedElements::ambient() const {
     for (std::size_t i = 0; i < elements_.roots(); ++i) {
         const Color background = background_light({1, backgrounds_[i]}, 0);
         const double area = elements_[i].patch.area;
-        power += area * brightness(light_.emission[i] + light_.reflectance[i] * background);
-        absorbing += area * (1 - brightness(light_.reflectance[i]));
+        power += area * mean_of_channels(light_.emission[i] + light_.reflectance[i] * background);
+        absorbing += area * (1 - mean_of_channels(light_.reflectance[i]));
     }
     return power / absorbing;
 }

@@ -2,6 +2,7 @@
 
 #include "raylab/geometry/dominant_axis.h"
 #include "raylab/geometry/predicate/flat_intersection.h"
+#include "raylab/scene/mean_of_channels.h"
 #include "raylab/scene/pov/words.h"
 
 #include <glm/mat3x3.hpp>
@@ -32,7 +33,7 @@ std::string plain_texture(const Material& material, const Color& diffuse) {
             if (color[i] > 0) result[i] = color[i] / (pigment[i] * opacity);
         return vector(result);
     };
-    const double highlight = (material.specular.x + material.specular.y + material.specular.z) / 3;
+    const double highlight = mean_of_channels(material.specular);
     return fmt::format("texture {{\n  pigment {{ color rgbt <{}, {}, {}, {}> }}\n", pigment.x, pigment.y, pigment.z,
                        1 - opacity) +
            fmt::format(
