@@ -61,7 +61,7 @@ bool has_other_cases(const Grade& grade) {
 
 // Whether what was graded then is what would be graded now.
 bool still_holds(const Grade& grade, const HandedIn& handed, const ClassTerms& terms) {
-    if (grade.outcome == Outcome::internal || grade.submitted.sha256.empty() || !handed.fault.empty()) return false;
+    if (grade.outcome == Outcome::internal || grade.submitted.sha256.empty()) return false;
     if ((terms.seed || terms.key) && grade.seed != seed_for(handed, terms)) return false;
     const auto now = find_submission(exercise(handed.exercise), handed.path);
     return now.submitted.sha256 == grade.submitted.sha256;
@@ -70,12 +70,6 @@ bool still_holds(const Grade& grade, const HandedIn& handed, const ClassTerms& t
 std::string student_of(const fs::path& entry) {
     std::error_code lost;  // a link that leads nowhere
     return (fs::is_directory(entry, lost) ? entry.filename() : entry.stem()).string();
-}
-
-std::string fault_of(const fs::path& entry) {
-    const auto kind = fs::symlink_status(entry);
-    if (fs::is_symlink(kind)) return "the entry is a link, which is not followed";
-    return fs::is_regular_file(kind) || fs::is_directory(kind) ? "" : "the entry is neither a file nor a folder";
 }
 
 void refuse_long_names(const std::vector<fs::path>& entries) {
@@ -126,13 +120,6 @@ Grade graded_apart(const HandedIn& handed, std::uint64_t seed, const ClassTerms&
     return grade;
 }
 
-Grade not_graded(const HandedIn& handed, std::uint64_t seed, const ClassTerms& terms) {
-    auto grade = without_submission(exercise(handed.exercise), seed, terms.most, handed.fault);
-    grade.student = name_in_report(handed.student, terms);
-    write_file(result_file(handed, terms), as_json(grade));
-    return grade;
-}
-
 // Counts of several threads.
 class ClassCounts {
 public:
@@ -169,8 +156,7 @@ void grade_one(const HandedIn& handed, const ClassTerms& terms, const fs::path& 
     const bool other_cases = holds && has_other_cases(*before);
     if (holds && !(other_cases && terms.regrade)) return counts.count_kept(other_cases);
     const auto seed = other_cases ? *before->seed : seed_for(handed, terms);
-    counts.count_graded(
-        handed.fault.empty() ? graded_apart(handed, seed, terms, prepared) : not_graded(handed, seed, terms), before);
+    counts.count_graded(graded_apart(handed, seed, terms, prepared), before);
 }
 
 }  // namespace
@@ -198,8 +184,7 @@ std::vector<HandedIn> handed_in(const fs::path& folder, const Course& course) {
     refuse_long_names(entries);
     std::vector<HandedIn> all;
     for (const auto& assignment : course.assignments)
-        for (const auto& entry : entries)
-            all.push_back({student_of(entry), assignment.exercise->folder, entry, fault_of(entry)});
+        for (const auto& entry : entries) all.push_back({student_of(entry), assignment.exercise->folder, entry});
     return all;
 }
 

@@ -19,12 +19,11 @@ struct HandedIn {
     std::string student;
     std::string exercise;  // its folder
     std::filesystem::path path;
-    std::string fault = {};  // a sentence: why it is not looked at; empty: it is
 };
 
-/// The submissions in a folder, in order: each entry is a student's, a folder or, for one exercise, a file; another,
-/// such as a link, is a student's with a fault. Hidden entries and course.toml are none. It throws an Error where there
-/// is none, and for names that cannot be told apart or are too long to be those of results.
+/// The submissions in a folder, in order: each entry is a student's, a folder or, for one exercise, a file; of
+/// another, such as a link, find_submission() tells what is wrong. Hidden entries and course.toml are none. It throws
+/// an Error where there is none, and for names that cannot be told apart or are too long to be those of results.
 std::vector<HandedIn> handed_in(const std::filesystem::path& folder, const Course& course);
 
 /// A result is STUDENT.json.

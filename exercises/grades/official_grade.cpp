@@ -192,14 +192,6 @@ Grade begun(const Exercise& exercise, std::uint64_t seed, Hundredths most) {
 
 }  // namespace
 
-Grade without_submission(const Exercise& exercise, std::uint64_t seed, Hundredths most, const std::string& reason) {
-    auto grade = begun(exercise, seed, most);
-    grade.outcome = Outcome::no_submission;
-    grade.summary = reason;
-    grade.ended = to_string(now());
-    return grade;
-}
-
 std::string cases_sha256(const Exercise& exercise, const std::vector<Case>& cases) {
     std::string bytes;
     const auto add = [&](std::span<const double> numbers) {

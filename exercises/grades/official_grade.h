@@ -21,9 +21,6 @@ struct Terms {
 /// it would not. It throws an Error where the grader itself fails.
 Grade official_grade(const Exercise& exercise, const std::filesystem::path& file_or_folder, const Terms& terms);
 
-/// The result where there is nothing that could be graded: no points, and a sentence that says why.
-Grade without_submission(const Exercise& exercise, std::uint64_t seed, Hundredths most, const std::string& reason);
-
 /// The hash of the exercise's cases of this seed, with the reference's answers to them.
 std::string cases_sha256(const Exercise& exercise, const std::vector<Case>& cases);
 

@@ -135,8 +135,8 @@ std::string fault_of_link(const fs::path& handed_in) {
     const auto named = handed_in.has_filename() ? handed_in : handed_in.parent_path();
     std::error_code missing;
     if (!fs::is_symlink(fs::symlink_status(named, missing))) return {};
-    return printable(named.filename().string()) +
-           " is a symbolic link, which is not followed: hand in what it leads to";
+    // Without its name, which is the student's in a class and must not be told where there are pseudonyms.
+    return "what was handed in is a symbolic link, which is not followed: hand in what it leads to";
 }
 
 Submission find_submission(const Exercise& exercise, const fs::path& file_or_folder) {

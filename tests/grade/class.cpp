@@ -200,17 +200,20 @@ TEST_CASE("what is no submission has a result that says so, and a class without 
     fs::create_directories(folder / "two\nlines");
     fs::create_symlink(spheres + "right/geometric.cpp", folder / "linked.cpp");
     fs::create_symlink("lost", folder / "lost");
+    fs::create_symlink("../odd_report", folder / "report");
+    fs::create_symlink("..", folder / "above");
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
     const auto done = run_class({"02", "--class", "odd", "-o", "odd_report", "--seed", "7", "--points", "50"});
     INFO(done.output << done.errors);
     CHECK(done.code == 0);
-    CHECK(says(done, "4 submissions graded"));
+    CHECK(says(done, "6 submissions graded"));
     const auto result = [](const std::string& student) {
         return read_json(class_folder / "odd_report/results/02_ray_sphere" / (student + ".json"));
     };
-    for (const auto* link : {"linked", "lost"}) {
+    for (const auto* link : {"linked", "lost", "report", "above"}) {
         CHECK(result(link)["verdict"] == "no_submission");
-        CHECK(result(link)["summary"] == std::string("the entry is a link, which is not followed"));
+        CHECK(result(link)["summary"] == std::string("what was handed in is a symbolic link, which is not followed: "
+                                                     "hand in what it leads to"));
         CHECK(result(link)["student"] == link);
         CHECK(result(link)["max_score"] == 50.0);
         CHECK(result(link)["tests"].size() == result("two\nlines")["tests"].size());
@@ -234,11 +237,14 @@ TEST_CASE("a report does not lie among the submissions, where the next run would
     const auto folder = class_folder / "among";
     fs::remove_all(folder);
     fs::create_directories(folder / "ann");
-    for (const std::string report : {"among", "among/", "among/report", "odd/../among/deep/report"}) {
+    const std::string itself = "expected an output that is no input, found the same file as among";
+    const std::string in_it = "expected an output outside of the inputs, found one in the folder among";
+    for (const auto& [report, words] : std::map<std::string, std::string>{
+             {"among", itself}, {"among/", itself}, {"among/report", in_it}, {"odd/../among/deep/report", in_it}}) {
         const auto refused = run_class({"02", "--class", "among", "-o", report});
         INFO(report << "\n" << refused.output << refused.errors);
         CHECK(refused.code == 2);
-        CHECK(says(refused, "expected a report outside of the class's folder among"));
+        CHECK(says(refused, report + ": " + words));
         CHECK(std::distance(fs::directory_iterator(folder), {}) == 1);
     }
     CHECK(run_class({"02", "--class", "among", "-o", "among/../among_report"}).code == 0);
@@ -349,6 +355,7 @@ TEST_CASE("with pseudonyms no name is left in the report, and without a key ther
     fs::remove_all(class_folder / "class");
     write_file(class_folder / "class/somebody.cpp", "this is no C++");
     write_file(class_folder / "class/=some, \"body\".cpp", "this is no C++");
+    fs::create_symlink("somebody.cpp", class_folder / "class/somebody's link.cpp");
     write_file(class_folder / "course.key", "sixteen bytes and more");
     CHECK(run_class({"02", "--class", "class", "-o", "secret", "--pseudonyms"}).code == 2);
     const auto done = run_class({"02", "--class", "class", "-o", "secret", "--pseudonyms", "--key", "course.key"});

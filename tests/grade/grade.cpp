@@ -168,6 +168,14 @@ TEST_CASE("a link that is handed in is not followed, and what it leads to is not
         CHECK(process.output.find("is a symbolic link") != std::string::npos);
         CHECK(process.output.find("the course's secret") == std::string::npos);
     }
+    // Not even to see whether the result would replace what was handed in.
+    const auto result = folder / "result.json";
+    for (const auto& target : {folder, result}) {
+        const auto process = grade(link_to(target), {"-o", result.string()});
+        INFO(target << "\n" << process.output << process.errors);
+        CHECK(process.code == 1);
+        CHECK(raylab::read_json(result)["verdict"] == "no_submission");
+    }
     // Where the folders above it lead is nothing that a student decides.
     const auto above = folder / "above";
     fs::remove(above);

@@ -5,6 +5,7 @@
 #include "formats.h"
 #include "official_grade.h"
 #include "seeds.h"
+#include "submission.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/common_options.h"
@@ -70,6 +71,16 @@ std::uint64_t official_seed(const Arguments& arguments, const Exercise& exercise
     return fresh_seed();
 }
 
+// What the result must not replace.
+std::vector<fs::path> inputs_of(const Arguments& arguments) {
+    auto inputs = arguments.given({"--submission", "--picture"});
+    // A student's link could lead to the folder of the result. It is not followed, here neither.
+    std::erase_if(inputs, [](const fs::path& input) { return !fault_of_link(input).empty(); });
+    const auto of_the_course = arguments.given({"--key", "--scene", "--reference", "--reference-dir", "--renderer"});
+    inputs.insert(inputs.end(), of_the_course.begin(), of_the_course.end());
+    return inputs;
+}
+
 bool asks_for_pictures(const Arguments& arguments) {
     return arguments.has("--scene") || arguments.has("--reference-dir");
 }
@@ -102,9 +113,7 @@ ExitCode grade_command(const std::vector<std::string>& words) {
     if (arguments.has("NN") && arguments.all("NN").size() > 1)
         throw Error("expected one exercise, found " + std::to_string(arguments.all("NN").size()));
     // Refused before anything is written: the result would replace what is to be graded, or what it is graded by.
-    const Outputs planned({.files = {output},
-                           .inputs = arguments.given({"--submission", "--key", "--scene", "--reference", "--picture",
-                                                      "--reference-dir", "--renderer"})});
+    const Outputs planned({.files = {output}, .inputs = inputs_of(arguments)});
     Grade internal{.exercise = asks_for_pictures(arguments) ? "pictures" : arguments.text("NN")};
     // A grader that dies, or is killed, leaves this, and never a result of another time.
     if (output != "-") write_file(output, format.text_of(internal));

@@ -8,7 +8,6 @@
 #include "raylab/base/common_options.h"
 #include "raylab/base/error.h"
 #include "raylab/base/file.h"
-#include "raylab/base/output_place.h"
 #include "raylab/base/outputs.h"
 #include "raylab/base/print.h"
 
@@ -29,12 +28,6 @@ fs::path report_folder(const Arguments& arguments) {
     const fs::path folder = arguments.text("--output");
     if (folder == "-") throw Error("expected -o REPORT, the folder of the class's report, found none");
     return folder;
-}
-
-// Among the submissions the next run would take the report for a student's.
-void refuse_report_in(const fs::path& folder, const fs::path& report) {
-    if (same_file(report, folder) || lies_in(report, folder))
-        throw Error({report.string()}, "a report outside of the class's folder " + folder.string(), "one in it");
 }
 
 // What the folder's course.toml says, of all its exercises or of the one that is asked for.
@@ -151,7 +144,8 @@ ExitCode grade_class(const Arguments& arguments) {
     const fs::path folder = arguments.text("--class");
     const auto course = course_in(folder, arguments);
     const auto terms = terms_of(arguments);
-    refuse_report_in(folder, terms.report);
+    // Among the submissions the next run would take the report for a student's.
+    const Outputs planned({.folders = {terms.report}, .inputs = {folder}});
     const auto all = handed_in(folder, course);
     write_file(terms.report / list_of_submissions, list_text(all, terms));
     if (fs::exists(folder / "course.toml")) write_file(terms.report / "course.toml", read_file(folder / "course.toml"));
