@@ -8,9 +8,11 @@
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/number/next_float.h"
 #include "raylab/sampling/random.h"
+#include "raylab/scene/moving.h"
 #include "raylab/tracer/shading/surface_point.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 
@@ -62,6 +64,7 @@ struct ShadowOracle::Segment {
 };
 
 ShadowOracle::ShadowOracle(const Scene& scene) : scene_(scene) {
+    assert(!anything_moves(scene));
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
         const Object& object = scene.objects[number];
         const Mesh* mesh = as_mesh(object.shape);

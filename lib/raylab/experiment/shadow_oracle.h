@@ -28,6 +28,8 @@ public:
     /// of the largest coordinate (as floats): wherever a shadow ray starts, it starts at floats.
     static constexpr double band_ulps = 3;
 
+    /// For scenes at rest: a light's way has no time, and those who ask build a stage of their own, on which nothing
+    /// moves.
     explicit ShadowOracle(const Scene& scene);
 
     /// The shade of every point within the band, by enclosures; absent: an edge of a shadow may pass there.
