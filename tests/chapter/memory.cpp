@@ -1,9 +1,9 @@
 #include "catch.h"
+#include "could_not.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
 
-#include <algorithm>
 #include <filesystem>
 
 // Tests of the option --memory of the commands.
@@ -41,12 +41,8 @@ std::string instances() {
 }
 
 void check_refused(const std::vector<std::string>& words, const std::string& need) {
-    const auto result = raylab_with(words);
-    INFO(words[0] << ": " << result.errors);
-    CHECK(result.code == 2);
-    CHECK(result.errors.starts_with("raylab: "));
-    CHECK(std::ranges::count(result.errors, '\n') == 1);
-    CHECK(result.errors.find("expected at most 1.0 GiB (--memory), found " + need) != result.errors.npos);
+    INFO(words[0]);
+    check_could_not(raylab_with(words), "expected at most 1.0 GiB (--memory), found " + need);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "says.h"
 
 #include "exercise.h"
 #include "quiz.h"
@@ -21,10 +22,6 @@ namespace {
 ProcessResult quiz(const std::string& exercise, const std::string& answers) {
     return run_process(fs::path(RAYLAB_BUILD) / "raylab", {"check", exercise, "--quiz"},
                        {.input = answers, .timeout = 60});
-}
-
-bool says(const ProcessResult& result, const std::string& words) {
-    return result.output.find(words) != std::string::npos;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "says.h"
 
 #include "raylab/base/process.h"
 
@@ -43,10 +44,6 @@ std::string watched_in_colors(const std::string& exercise, const fs::path& answe
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? sent : "it failed: " + sent;
-}
-
-bool says(const ProcessResult& result, const std::string& words) {
-    return result.output.find(words) != std::string::npos;
 }
 
 }  // namespace

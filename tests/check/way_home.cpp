@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "says.h"
 
 #include "exercise.h"
 
@@ -33,10 +34,6 @@ fs::path shown_mistake(const grading::Exercise& exercise) {
     }
     FAIL(mistakes.string() << ": expected a file with the line \"// It shows in the traced scene.\", found none");
     return {};
-}
-
-bool says(const ProcessResult& result, const std::string& words) {
-    return result.output.find(words) != std::string::npos;
 }
 
 }  // namespace

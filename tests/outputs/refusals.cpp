@@ -1,9 +1,8 @@
 #include "catch.h"
+#include "could_not.h"
 #include "outputs/workplace.h"
 
 #include "raylab/base/file.h"
-
-#include <algorithm>
 
 // Tests every command with an output, and every way in which one can be wrong: exit code 2, one line, and an unchanged
 // folder.
@@ -65,11 +64,8 @@ void check_refused(const Workplace& workplace, const Command& command, const std
                    const std::string& named) {
     const auto before = workplace.contents();
     const auto result = workplace.lab(command.words, output);
-    INFO(words_of(command.words) << "\nwith " << output << "\n" << to_string(result) << "\n" << result.errors);
-    CHECK(result.end == ProcessResult::End::exited);
-    CHECK(result.code == 2);
-    CHECK(std::ranges::count(result.errors, '\n') == 1);
-    CHECK(result.errors.find(named) != std::string::npos);
+    INFO(words_of(command.words) << "\nwith " << output);
+    check_could_not(result, named);
     CHECK(result.errors.find(".raylab-") == std::string::npos);
     CHECK(workplace.contents() == before);
 }

@@ -79,11 +79,4 @@ bool same_bits(const fs::path& a, const fs::path& b) {
     return true;
 }
 
-void check_refused(const ProcessResult& result, const std::string& words) {
-    INFO(result.errors);
-    CHECK(result.code == 2);
-    CHECK(result.errors.find(words) != std::string::npos);
-    CHECK(std::ranges::count(result.errors, '\n') == 1);
-}
-
 }  // namespace raylab::test

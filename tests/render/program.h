@@ -26,7 +26,4 @@ std::filesystem::path drawn(const std::string& name, std::vector<std::string> op
 /// Whether all channels of all pixels are the same floats.
 bool same_bits(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Checks for exit code 2 and one line of errors that contains the words.
-void check_refused(const ProcessResult& result, const std::string& words);
-
 }  // namespace raylab::test

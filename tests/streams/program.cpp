@@ -6,8 +6,6 @@
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/base/file.h"
 
-#include <algorithm>
-
 namespace fs = std::filesystem;
 using namespace raylab;
 
@@ -23,14 +21,6 @@ ProcessResult in_shell(const std::vector<std::string>& words, const Around& arou
     std::vector<std::string> all = {"-c", script, "sh", fs::path(RAYLAB_BUILD) / "raylab"};
     all.insert(all.end(), words.begin(), words.end());
     return run_process("sh", all, {.folder = streams_folder, .timeout = 120});
-}
-
-void check_could_not(const ProcessResult& result, const std::string& fragment) {
-    CAPTURE(result.errors);
-    CHECK(result.code == 2);
-    CHECK(result.errors.starts_with("raylab: "));
-    CHECK(std::ranges::count(result.errors, '\n') == 1);
-    CHECK_THAT(result.errors, Catch::Contains(fragment));
 }
 
 std::vector<ShortRun> short_runs() {

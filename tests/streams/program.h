@@ -1,5 +1,7 @@
 #pragma once
 
+#include "could_not.h"
+
 #include "raylab/base/process.h"
 
 #include <filesystem>
@@ -16,9 +18,6 @@ struct Around {
     std::string prefix = "", suffix = "";
 };
 raylab::ProcessResult in_shell(const std::vector<std::string>& words, const Around& around = {});
-
-/// Checks for exit code 2 and exactly one line on stderr, of the program's own, which contains the fragment.
-void check_could_not(const raylab::ProcessResult& result, const std::string& fragment);
 
 /// A command with words that keep it short; it prints something.
 struct ShortRun {

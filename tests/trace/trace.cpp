@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "could_not.h"
 #include "hostile/refusals.h"
 
 #include "raylab/accelerator/trace_rays.h"
@@ -45,11 +46,9 @@ std::vector<Ray> some_rays() {
     return rays;
 }
 
-void check_could_not(const ProcessResult& result, const std::string& fragment) {
-    CHECK(result.code == 2);
+void check_no_hits(const ProcessResult& result, const std::string& fragment) {
+    check_could_not(result, fragment);
     CHECK(result.output.empty());
-    CHECK_THAT(result.errors, Catch::Contains(fragment));
-    CHECK(std::ranges::count(result.errors, '\n') == 1);
     CHECK_FALSE(fs::exists(hits_file));
 }
 
@@ -126,8 +125,8 @@ TEST_CASE("raylab trace --any writes 0 or -1") {
 
 TEST_CASE("a former name is answered with the new one") {
     write_file(rays_file, to_bytes(some_rays()));
-    check_could_not(trace_pyramid({"--accelerator", "wide"}), "wide is called bvh8");
-    check_could_not(trace_pyramid({"--accelerator=aabb_splits:3"}), "aabb_splits is called bvh_splits");
+    check_no_hits(trace_pyramid({"--accelerator", "wide"}), "wide is called bvh8");
+    check_no_hits(trace_pyramid({"--accelerator=aabb_splits:3"}), "aabb_splits is called bvh_splits");
     const auto tree = run_process(fs::path(RAYLAB_BUILD) / "raylab", {"tree", "x.toml", "--feelers"}, {.timeout = 60});
     CHECK(tree.code == 2);
     CHECK_THAT(tree.errors, Catch::Contains("--feelers is called --shadow-rays"));
@@ -136,23 +135,23 @@ TEST_CASE("a former name is answered with the new one") {
 TEST_CASE("raylab trace refuses a bad ray by its number and writes nothing") {
     auto rays = some_rays();
     write_file(rays_file, to_bytes(rays) + "x");
-    check_could_not(trace_pyramid(), "pyramid.rays ray 625: expected 32 bytes, found 1");
+    check_no_hits(trace_pyramid(), "pyramid.rays ray 625: expected 32 bytes, found 1");
     rays[17].direction = {0, 0, 0};
     write_file(rays_file, to_bytes(rays));
-    check_could_not(trace_pyramid(), "pyramid.rays ray 17: expected a direction that is not zero");
+    check_no_hits(trace_pyramid(), "pyramid.rays ray 17: expected a direction that is not zero");
 }
 
 TEST_CASE("raylab trace refuses what it cannot use: a mesh, rays, an accelerator, a number of threads, no output") {
     write_file(rays_file, to_bytes(some_rays()));
     const auto rays = rays_file.string(), hits = hits_file.string();
-    check_could_not(trace({"no_such.off", "--rays", rays, "-o", hits}),
-                    "no_such.off: expected a file, found nothing there");
-    check_could_not(trace({mesh_file, "--rays", "no_such.rays", "-o", hits}), "no_such.rays: expected a file");
-    check_could_not(trace_pyramid({"--accelerator", "wishful"}), "wishful");
-    check_could_not(trace_pyramid({"--threads", "1025"}), "expected --threads from 0 to 1024, found 1025");
-    check_could_not(trace({mesh_file, "--rays", rays}), "expected --output, found nothing");
-    check_could_not(trace({mesh_file, "-o", hits}), "expected --rays, found nothing");
-    check_could_not(trace_pyramid({"--no-such-option"}), "--no-such-option");
+    check_no_hits(trace({"no_such.off", "--rays", rays, "-o", hits}),
+                  "no_such.off: expected a file, found nothing there");
+    check_no_hits(trace({mesh_file, "--rays", "no_such.rays", "-o", hits}), "no_such.rays: expected a file");
+    check_no_hits(trace_pyramid({"--accelerator", "wishful"}), "wishful");
+    check_no_hits(trace_pyramid({"--threads", "1025"}), "expected --threads from 0 to 1024, found 1025");
+    check_no_hits(trace({mesh_file, "--rays", rays}), "expected --output, found nothing");
+    check_no_hits(trace({mesh_file, "-o", hits}), "expected --rays, found nothing");
+    check_no_hits(trace_pyramid({"--no-such-option"}), "--no-such-option");
 }
 
 TEST_CASE("raylab trace refuses every broken mesh with exit code 2 and one line, and writes nothing") {
@@ -160,6 +159,6 @@ TEST_CASE("raylab trace refuses every broken mesh with exit code 2 and one line,
     for (const auto& [mesh, fragment] : refusals(RAYLAB_SOURCE "/tests/hostile/meshes")) {
         INFO(mesh);
         fs::remove(hits_file);
-        check_could_not(trace({mesh.string(), "--rays", rays_file.string(), "-o", hits_file.string()}), fragment);
+        check_no_hits(trace({mesh.string(), "--rays", rays_file.string(), "-o", hits_file.string()}), fragment);
     }
 }

@@ -1,10 +1,10 @@
 #include "catch.h"
+#include "same_bits.h"
 
 #include "raylab/sampling/sequence.h"
 #include "raylab/tracer/picture/whitted_picture.h"
 
 #include <array>
-#include <cstring>
 
 using namespace raylab;
 
@@ -55,13 +55,6 @@ Scene random_spheres(std::uint64_t seed, SceneVariety look) {
 WhittedOptions local(WhittedOptions options = {}) {
     options.shadows = WhittedOptions::Shadows::none;
     return options;
-}
-
-bool same_bits(const Image& a, const Image& b) {
-    bool same = true;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) same = same && std::memcmp(&a.at(x, y), &b.at(x, y), sizeof(Pixel)) == 0;
-    return same;
 }
 
 bool same(const WhittedPicture& a, const WhittedPicture& b) {

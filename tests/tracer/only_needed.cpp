@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "same_bits.h"
 #include "tracer/random_scene.h"
 
 #include "raylab/scene/needs.h"
@@ -7,7 +8,6 @@
 #include "raylab/tracer/picture/whitted_picture.h"
 
 #include <array>
-#include <cstring>
 
 using namespace raylab;
 using raylab::test::random_scene;
@@ -34,13 +34,6 @@ WhittedPicture picture(const Scene& scene, const WhittedOptions& options) {
     const auto accelerator = make_accelerator("auto", scene);
     return counted_whitted_picture(scene, *accelerator, camera_frame(scene.camera, scene.image), options,
                                    {.threads = 2});
-}
-
-bool same_bits(const Image& a, const Image& b) {
-    bool same = true;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) same = same && std::memcmp(&a.at(x, y), &b.at(x, y), sizeof(Pixel)) == 0;
-    return same;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "could_not.h"
 
 #include "raylab/base/file.h"
 #include "raylab/base/process.h"
@@ -29,13 +30,6 @@ std::string tree_file(const std::string& name, const std::string& depth) {
     const auto file = (folder / name).string();
     REQUIRE(tree({scene, "--pixel", "300,250", "--depth", depth, "-o", file}).succeeded());
     return file;
-}
-
-void check_could_not(const ProcessResult& result, const std::string& fragment) {
-    INFO(result.errors);
-    CHECK(result.code == 2);
-    CHECK(result.errors.find(fragment) != std::string::npos);
-    CHECK(std::ranges::count(result.errors, '\n') == 1);
 }
 
 }  // namespace

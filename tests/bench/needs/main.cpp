@@ -1,11 +1,10 @@
+#include "same_bits.h"
 #include "without.h"
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
 #include "raylab/base/print.h"
 #include "raylab/base/program.h"
-
-#include <cstring>
 
 // Measures the cost of a feature of the renderer for a scene that does not need it: see measure.
 
@@ -18,13 +17,6 @@ const CommandLine command_line{
     .about = "A picture that does not need a feature, by the renderer and by one compiled without that feature.",
     .options = {{"--feature", "NAME", "which; without it their names are printed"},
                 {"--by", "WHOM", "renderer, without, or both: then the bits are compared", "both"}}};
-
-bool same_bits(const Image& a, const Image& b) {
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            if (std::memcmp(&a.at(x, y), &b.at(x, y), sizeof(Pixel)) != 0) return false;
-    return true;
-}
 
 template <class Needless>
 ExitCode draw(const Needless& picture, const std::string& by) {
