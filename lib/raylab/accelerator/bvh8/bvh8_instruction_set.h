@@ -9,6 +9,8 @@ namespace raylab {
 /// Which code in the tables that Highway makes is that of the best instruction set of this machine (or of those that a
 /// test has left).
 inline std::size_t best_instruction_set() {
+    // Where Highway compiles for one instruction set alone (NEON, on ARM), the tables have one entry.
+    if ((HWY_TARGETS & (HWY_TARGETS - 1)) == 0) return 0;
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return hwy::GetChosenTarget().GetIndex();
 }
