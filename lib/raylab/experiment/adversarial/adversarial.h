@@ -13,6 +13,8 @@ namespace raylab::adversarial {
 
 /// Random floats from a stream of its own: one a piece of work, so that results do not depend on threads. It is no
 /// RandomSequence, because published counts (of wrong answers, of exact decisions) were made of these draws.
+/// A call with two draws among its arguments gives other numbers on ARM, where GCC evaluates the first argument first,
+/// than on x86.
 class Draw {
 public:
     explicit Draw(std::uint64_t seed) : bits_(seed) {}

@@ -49,10 +49,11 @@ Scene moving_shapes(Draw& draw) {
 // Many triangles that go the same way, and others.
 Scene moving_meshes(Draw& draw) {
     Scene scene;
-    for (int i = draw.integer(1, 3); i > 0; --i)
-        scene.objects.push_back(
-            object(mesh_of(soup(draw, static_cast<std::size_t>(draw.one_in(10) ? 120 : draw.integer(1, 20)), 2)),
-                   any_placement(draw)));
+    for (int i = draw.integer(1, 3); i > 0; --i) {
+        const Affine placement = any_placement(draw);
+        const int count = draw.one_in(10) ? 120 : draw.integer(1, 20);
+        scene.objects.push_back(object(mesh_of(soup(draw, static_cast<std::size_t>(count), 2)), placement));
+    }
     return set_moving(draw, std::move(scene));
 }
 

@@ -163,8 +163,10 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
             return to(from, beside_an_edge(draw));
         case 5:
             return {vertex(draw), draw.one_in(2) ? draw.lattice_direction(1) : draw.in_cube(1)};
-        case 6:
-            return to(on_a_box(draw), on_a_box(draw));
+        case 6: {
+            const Vec3f target = on_a_box(draw);
+            return to(on_a_box(draw), target);
+        }
         case 7: {  // away from the scene
             const Vec3f origin = somewhere(draw, 3);
             return {origin, convert<float>(convert<double>(origin) - bounds_.center())};
@@ -174,8 +176,10 @@ Ray SceneRays::of_kind(Draw& draw, std::size_t kind) const {
             return {
                 ray.origin, -ray.direction, {-std::numeric_limits<float>::infinity(), draw.one_in(2) ? 0.0f : 1.0f}};
         }
-        case 9:
-            return to(on_a_box(draw), somewhere(draw, 2));
+        case 9: {
+            const Vec3f target = somewhere(draw, 2);
+            return to(on_a_box(draw), target);
+        }
         case 10:
             return {draw.on_lattice(-5, 5), draw.lattice_direction(draw.integer(1, 3))};
         case 11:

@@ -99,7 +99,8 @@ Scene beyond_floats(Draw& draw) {
 
 // Small shapes inside a very large one, and planes beside bounded shapes ("a teapot in a stadium").
 Scene teapot_in_a_stadium(Draw& draw) {
-    Triangles triangles = soup(draw, some(draw), 0.01f, draw.in_cube(50));
+    const Vec3f center = draw.in_cube(50);
+    Triangles triangles = soup(draw, some(draw), 0.01f, center);
     triangles.push_back({{-100, 0, -100}, {100, 0, -100}, {100, 0, 100}});
     Scene scene = scene_of(triangles);
     if (draw.one_in(3)) scene.objects.push_back(object(Plane{{0, -1, 0}, {0, 1, 0}}));

@@ -45,8 +45,10 @@ float any_time(Draw& draw) {
             return cast<float>(draw.integer(0, 1));
         case 1:
             return cast<float>(draw.integer(1, 6)) / cast<float>(draw.integer(6, 7));
-        case 2:
-            return std::ldexp(draw.uniform(0.5, 1), draw.integer(-140, 0));
+        case 2: {
+            const int power = draw.integer(-140, 0);
+            return std::ldexp(draw.uniform(0.5, 1), power);
+        }
         default:
             return draw.uniform(0, 1);
     }
@@ -139,7 +141,8 @@ Annulus any_annulus(Draw& draw) {
 Sides any_sides(Draw& draw) { return draw.one_in(2) ? Sides::both : draw.one_in(2) ? Sides::front : Sides::back; }
 
 Object any_object(Draw& draw) {
-    Object result = object(any_shape(draw), any_placement(draw));
+    const Affine placement = any_placement(draw);
+    Object result = object(any_shape(draw), placement);
     result.sides = any_sides(draw);
     return result;
 }
