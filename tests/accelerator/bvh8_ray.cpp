@@ -230,7 +230,7 @@ std::optional<double> stretched(const Bvh8Walks& walks, const Shot& shot) {
 
 // How far the areas about a shot's ray are from their exact values, in floats without multiply-add, where their error
 // bound is at one; absent: floats do not suffice.
-std::optional<double> mistaken(const Shot& shot) {
+HWY_ATTR std::optional<double> mistaken(const Shot& shot) {
     namespace floats = HWY_NAMESPACE;
     const Scene scene = scene_of({shot.triangle});
     const Bvh8Contents contents(scene);
@@ -245,7 +245,7 @@ std::optional<double> mistaken(const Shot& shot) {
     const Vec3d d = convert<double>(shot.ray.direction);
     const auto [a, b, c, magnitude, roundings] = triangle_filter::corners(shot.ray, shot.triangle);
     const auto exact = triangle_filter::triangle_volumes(d, a, b, c);
-    const auto off = [&](floats::Floats area, double volume) {
+    const auto off = [&](floats::Floats area, double volume) HWY_ATTR {
         return std::abs(double{hwy::HWY_NAMESPACE::GetLane(area)} + volume / d[ray.axes[2]]);
     };
     const double most = std::max({off(areas.u, exact.u), off(areas.v, exact.v), off(areas.w, exact.w)});
