@@ -4,7 +4,6 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 namespace raylab {
@@ -48,8 +47,9 @@ ThreadPool::ThreadPool(int threads, std::size_t pieces) {
     const auto most = static_cast<int>(std::min(pieces, static_cast<std::size_t>(thread_count(threads))));
     try {
         for (int i = 1; i < most; ++i) send_elsewhere(others_.emplace_back([this, i] { work_along(i); }));
-        // There is no memory for another thread's stack, so the existing threads do the work.
-    } catch (const std::system_error&) {
+        // There is no memory for another thread (std::bad_alloc) or its stack (std::system_error), so the existing ones
+        // do the work. Were it thrown on, they would be joined while they wait for a round that never comes.
+    } catch (const std::exception&) {
     }
 }
 
