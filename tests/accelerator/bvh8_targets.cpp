@@ -6,6 +6,9 @@
 #include "raylab/experiment/generate/generate.h"
 
 #include <bit>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
 using namespace raylab;
 using namespace raylab::adversarial;
@@ -26,16 +29,22 @@ Walked walked(const Scene& scene) {
     Draw draw(3);
     Traversal traversal;
     Walked result{};
+    const auto add = [&](const std::optional<Hit>& hit) {
+        result.answers.push_back(hit ? std::bit_cast<std::uint64_t>(hit->t) : 0);
+        result.answers.push_back(hit ? hit->primitive.part : ~std::uint64_t{0});
+    };
+    std::vector<Ray> rays;
     for (int i = 0; i < 20'000; ++i) {
         Ray ray{draw.in_cube(4), draw.in_cube(1)};
         if (draw.one_in(4)) ray.direction[draw.integer(0, 2)] = 0;
         if (ray.direction == Vec3f(0)) ray.direction = {1, 0, 0};
         if (draw.one_in(3)) ray.range = {0, draw.uniform(0, 4)};
-        const auto hit = tree.closest(ray, traversal);
-        result.answers.push_back(hit ? std::bit_cast<std::uint64_t>(hit->t) : 0);
-        result.answers.push_back(hit ? hit->primitive.part : ~std::uint64_t{0});
+        add(tree.closest(ray, traversal));
         result.answers.push_back(tree.occluded(ray, traversal));
+        rays.push_back(ray);
     }
+    if constexpr (std::is_same_v<Tree, Bvh8>)
+        for (const auto& hit : tree.closest_in_turns(rays, 1000, traversal)) add(hit);
     result.steps = traversal.steps;
     result.box_tests = traversal.box_tests;
     result.primitive_tests = traversal.primitive_tests;

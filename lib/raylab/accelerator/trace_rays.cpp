@@ -6,9 +6,12 @@
 #include "raylab/scene/needs.h"
 #include "raylab/scene/scene.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 namespace raylab {
 
@@ -21,14 +24,22 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-HitRecord nearest(const Accelerator& accelerator, const Ray& ray, Traversal& traversal) {
-    const auto hit = accelerator.closest(ray, traversal);
-    if (!hit) return {-1, std::numeric_limits<float>::infinity()};
-    return {static_cast<std::int32_t>(hit->primitive.part), cast<float>(hit->t)};
+using Hits = std::vector<HitRecord>;
+
+Hits nearest(const Accelerator& accelerator, std::span<const Ray> rays, Traversal& traversal) {
+    Hits hits;
+    hits.reserve(rays.size());
+    for (const auto& hit : accelerator.closest_of(rays, traversal))
+        hits.push_back(hit ? HitRecord{static_cast<std::int32_t>(hit->primitive.part), cast<float>(hit->t)}
+                           : HitRecord{-1, std::numeric_limits<float>::infinity()});
+    return hits;
 }
 
-HitRecord any(const Accelerator& accelerator, const Ray& ray, Traversal& traversal) {
-    return {accelerator.occluded(ray, traversal) ? 0 : -1, 0.0f};
+Hits any(const Accelerator& accelerator, std::span<const Ray> rays, Traversal& traversal) {
+    Hits hits;
+    hits.reserve(rays.size());
+    for (const Ray& ray : rays) hits.push_back({accelerator.occluded(ray, traversal) ? 0 : -1, 0.0f});
+    return hits;
 }
 
 }  // namespace
@@ -46,11 +57,12 @@ TraceResult trace_rays(std::shared_ptr<const Mesh> mesh, std::span<const Ray> ra
     result.hits.resize(rays.size());
     std::mutex guards_counts;
     Progress progress("tracing", (rays.size() + grain - 1) / grain);
-    const auto answer = options.question == RayQuestion::any ? any : nearest;
+    const auto answers = options.question == RayQuestion::any ? any : nearest;
     const auto start = Clock::now();
     for_each_piece(rays.size(), grain, result.threads, [&](std::size_t begin, std::size_t end) {
         Traversal traversal;
-        for (std::size_t i = begin; i < end; ++i) result.hits[i] = answer(*accelerator, rays[i], traversal);
+        std::ranges::copy(answers(*accelerator, rays.subspan(begin, end - begin), traversal),
+                          result.hits.begin() + static_cast<std::ptrdiff_t>(begin));
         const std::lock_guard lock(guards_counts);
         result.counts.add(traversal);
         progress.step();

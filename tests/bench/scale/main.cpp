@@ -1,7 +1,8 @@
 // bench_scale FOLDER [LEVELS] [THREADS]: bumpy spheres from 5120 triangles on, four times as many each time (levels 4
 // to LEVELS, 10 unless said otherwise: 20 971 520), are written to FOLDER as PLY. Processes of their own read each, and
 // build bvh8, or Embree's tree, over it: bytes a triangle, mesh and all, at the end and at the peak, and nanoseconds of
-// a ray beside a + b log2 n, and beside a read of memory that waits for the one before it.
+// a ray beside a + b log2 n, and beside a read of memory that waits for the one before it. Incoherent rays are asked
+// one after the other, and 1024 together (of Embree by rtcIntersect1M).
 
 #include "chain_of_reads.h"
 #include "embree_ray.h"
@@ -31,6 +32,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,9 +47,9 @@ struct Measured {
     double triangles, read, build;             // seconds
     double peak_of_reading, peak, at_the_end;  // bytes, of the whole process
     double tree;                               // bytes, by which the process grew
-    std::array<double, 2> nanoseconds;         // of a ray, by the names below
+    std::array<double, 3> nanoseconds;         // of a ray, by the names below
 };
-constexpr std::array names{"camera", "incoherent"};
+constexpr std::array names{"camera", "incoherent", "incoherent, together"};
 constexpr auto ours = "bvh8", embree = "embree";
 
 void write_ply(const Mesh& mesh, const std::string& path) {
@@ -76,7 +78,7 @@ double peak_bytes() {
 }
 
 // A ray of a camera above the sphere; and one from anywhere near the sphere in any direction.
-std::array<Ray, 2> rays(adversarial::Draw& draw, int i, int count) {
+std::array<Ray, 2> camera_and_incoherent(adversarial::Draw& draw, int i, int count) {
     const int side = static_cast<int>(std::sqrt(count));
     const double x = (i % side + 0.5) / side - 0.5, y = (i / side % side + 0.5) / side - 0.5;
     return {Ray{{0, 0, 3}, {cast<float>(0.7 * x), cast<float>(0.7 * y), -1}}, {draw.in_cube(1.2f), draw.in_cube(1)}};
@@ -85,9 +87,20 @@ std::array<Ray, 2> rays(adversarial::Draw& draw, int i, int count) {
 class Ours {
 public:
     Ours(const Scene& scene, int threads) : tree_(make_accelerator("bvh8", scene, {.threads = threads})) {}
-    bool is_hit(const Ray& ray) {
+    int hits(const std::vector<Ray>& rays) {
+        int hits = 0;
+        for (const Ray& ray : rays) {
+            Traversal traversal;
+            hits += tree_->closest(ray, traversal).has_value();
+        }
+        return hits;
+    }
+
+    int hits_together(std::span<const Ray> rays) {
+        int hits = 0;
         Traversal traversal;
-        return tree_->closest(ray, traversal).has_value();
+        for (const auto& hit : tree_->closest_of(rays, traversal)) hits += hit.has_value();
+        return hits;
     }
 
 private:
@@ -109,16 +122,36 @@ public:
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
 
-    bool is_hit(const Ray& ray) {
+    int hits(const std::vector<Ray>& rays) {
+        int hits = 0;
+        for (const Ray& ray : rays) {
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            RTCRayHit hit = asked(ray);
+            rtcIntersect1(scene_, &context, &hit);
+            hits += is_hit(hit);
+        }
+        return hits;
+    }
+
+    int hits_together(std::span<const Ray> rays) {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
-        RTCRayHit hit{.ray = bench::in_embree(ray), .hit = {}};
-        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &hit);
-        return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        std::vector<RTCRayHit> all;
+        all.reserve(rays.size());
+        for (const Ray& ray : rays) all.push_back(asked(ray));
+        rtcIntersect1M(scene_, &context, all.data(), static_cast<unsigned>(all.size()), sizeof(RTCRayHit));
+        return static_cast<int>(std::ranges::count_if(all, is_hit));
     }
 
 private:
+    static RTCRayHit asked(const Ray& ray) {
+        RTCRayHit hit{.ray = bench::in_embree(ray), .hit = {}};
+        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        return hit;
+    }
+    static bool is_hit(const RTCRayHit& hit) { return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID; }
+
     RTCDevice device_;
     RTCScene scene_;
 };
@@ -139,19 +172,29 @@ Measured measured(const std::string& path, int threads) {
     of.at_the_end = resident_bytes();
     of.tree = std::max(of.at_the_end - before, 0.0);  // (a small one may lie where the file was read)
     constexpr int count = 1 << 18, repetitions = 5;
-    for (std::size_t kind = 0; kind < names.size(); ++kind) {
-        std::vector<Ray> some;
-        adversarial::Draw draw(1);
-        for (int i = 0; i < count; ++i) some.push_back(rays(draw, i, count)[kind]);
+    std::array<std::vector<Ray>, 2> rays;
+    adversarial::Draw draw(1);
+    for (int i = 0; i < count; ++i) {
+        const auto two = camera_and_incoherent(draw, i, count);
+        for (std::size_t kind = 0; kind < rays.size(); ++kind) rays[kind].push_back(two[kind]);
+    }
+    const auto time = [&](const auto& hits) {
         std::vector<double> times;
         for (int i = 0; i < repetitions; ++i)
             times.push_back(seconds_of(CLOCK_PROCESS_CPUTIME_ID, [&] {
-                int hits = 0;
-                for (const Ray& ray : some) hits += tree->is_hit(ray);
-                if (hits == 0) fmt::print(stderr, "no ray hits\n");
+                if (hits() == 0) fmt::print(stderr, "no ray hits\n");
             }));
-        of.nanoseconds[kind] = 1e9 * median(times) / count;
-    }
+        return 1e9 * median(times) / count;
+    };
+    const auto together = [&] {
+        constexpr std::size_t at_once = 1024;
+        int hits = 0;
+        for (std::size_t i = 0; i < count; i += at_once)
+            hits += tree->hits_together(std::span(rays[1]).subspan(i, at_once));
+        return hits;
+    };
+    of.nanoseconds = {time([&] { return tree->hits(rays[0]); }), time([&] { return tree->hits(rays[1]); }),
+                      time(together)};
     return of;
 }
 
@@ -190,16 +233,16 @@ int main(int count, char** words) {
     }
     std::filesystem::create_directories(first);
     std::map<const char*, std::vector<Measured>> all;
-    fmt::print("                                    | bytes a triangle,        at the    | ns a ray,   inco-\n"
-               "          triangles  read, s build, s | reading    peak     end | camera  herent\n");
+    fmt::print("                                    | bytes a triangle,        at the    | ns a ray,   inco-    to-\n"
+               "          triangles  read, s build, s | reading    peak     end | camera  herent  gether\n");
     for (int level = 4; level <= number(2, 10); ++level) {
         const std::string path = fmt::format("{}/bumpy_{}.ply", first, level);
         if (!std::filesystem::exists(path)) write_ply(bumpy_sphere(level), path);
         for (const char* whose : {ours, embree}) {
             const Measured of = all[whose].emplace_back(measured_apart(whose, path, number(3, 1)));
-            fmt::print("{:9}{:10.0f}{:9.2f}{:9.2f} |{:8.1f}{:8.1f}{:8.1f} |{:7.0f}{:8.0f}\n", whose, of.triangles,
-                       of.read, of.build, of.peak_of_reading / of.triangles, of.peak / of.triangles,
-                       of.at_the_end / of.triangles, of.nanoseconds[0], of.nanoseconds[1]);
+            fmt::print("{:9}{:10.0f}{:9.2f}{:9.2f} |{:8.1f}{:8.1f}{:8.1f} |{:7.0f}{:8.0f}{:8.0f}\n", whose,
+                       of.triangles, of.read, of.build, of.peak_of_reading / of.triangles, of.peak / of.triangles,
+                       of.at_the_end / of.triangles, of.nanoseconds[0], of.nanoseconds[1], of.nanoseconds[2]);
             std::fflush(stdout);
         }
     }

@@ -1,19 +1,44 @@
 #include "raylab/accelerator/bvh8/bvh8.h"
 
 #include "raylab/accelerator/bvh8/bvh8_leaves.h"
+#include "raylab/accelerator/bvh8/bvh8_turns.h"
 #include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
-namespace raylab {
+#include <algorithm>
+#include <utility>
 
-void Bvh8::walk_in_doubles(const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const {
-    const Bvh8Nodes& tree = contents_.tree();
-    if (!tree.nodes.empty()) WalkInDoubles(tree, query, leaves, traversal).visit(Bvh8Child::node(0));
-}
+namespace raylab {
 
 std::optional<Hit> Bvh8::closest(const Ray& ray, Traversal& traversal) const {
     NearestLeaves leaves(contents_, ray, traversal);
     walk(walks_.nearest, {ray, leaves.end(), contents_.number_left_by(ray)}, leaves, traversal);
     return leaves.hit();
+}
+
+std::vector<std::optional<Hit>> Bvh8::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
+    // So much of a tree's nodes, and of its leaves, stays in the caches.
+    constexpr std::size_t near_bytes = std::size_t{1} << 21;
+    if (contents_.tree().bytes() <= 2 * near_bytes || !begin_far_apart(rays))
+        return Accelerator::closest_of(rays, traversal);
+    return closest_in_turns(rays, near_bytes, traversal);
+}
+
+bool Bvh8::begin_far_apart(std::span<const Ray> rays) const {
+    const float close = contents_.tree().reach / 16;
+    std::size_t apart = 0;
+    for (std::size_t i = 1; i < rays.size(); ++i) {
+        const Vec3f way = glm::abs(rays[i].origin - rays[i - 1].origin);
+        apart += std::max({way.x, way.y, way.z}) > close;
+    }
+    return 2 * apart > rays.size();
+}
+
+std::vector<std::optional<Hit>> Bvh8::closest_in_turns(std::span<const Ray> rays, std::size_t near_bytes,
+                                                       Traversal& traversal) const {
+    if (contents_.tree().nodes.empty()) return Accelerator::closest_of(rays, traversal);
+    NearestInTurns turns(contents_, rays, traversal);
+    walks_.nearest_in_turns(contents_.tree(), near_bytes, turns, traversal);
+    return std::move(turns).hits();
 }
 
 bool Bvh8::occluded(const Ray& ray, Traversal& traversal) const {

@@ -3,6 +3,7 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
+#include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
 namespace raylab {
 
@@ -14,6 +15,8 @@ public:
     explicit Bvh8(const Scene& scene, const Bvh8BuildOptions& options = {}) : contents_(scene, options) {}
 
     std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override;
+    /// Rays take turns where that pays.
+    std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
     std::size_t bytes() const override { return contents_.bytes(); }
     Outline outline() const override;
@@ -23,11 +26,19 @@ public:
     /// compare the exact answer with it. It finds nothing for rays whose numbers exceed the limits of Bvh8Ray.
     std::optional<Hit> closest_in_floats(const Ray& ray, Traversal& traversal) const;
 
+    /// The nearest hit of each of several rays, of which eight are under way at once: one that has to wait for a node
+    /// or leaf, which all are that lie beyond the first `near_bytes` of their kind, lets the others go on.
+    std::vector<std::optional<Hit>> closest_in_turns(std::span<const Ray> rays, std::size_t near_bytes,
+                                                     Traversal& traversal) const;
+
 private:
+    // Whether rays wait for memory: few begin close to the one before them, and so find in the caches what it has read.
+    bool begin_far_apart(std::span<const Ray> rays) const;
+
     void walk(Bvh8Walks::Walk how, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const {
-        if (!how(contents_.tree(), query, leaves, traversal)) walk_in_doubles(query, leaves, traversal);
+        if (!how(contents_.tree(), query, leaves, traversal))
+            walk_in_doubles(contents_.tree(), query, leaves, traversal);
     }
-    [[gnu::noinline]] void walk_in_doubles(const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const;
 
     Bvh8Contents contents_;
     Bvh8Walks walks_ = best_bvh8_walks();

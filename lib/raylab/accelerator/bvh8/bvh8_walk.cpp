@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <new>
 #include <type_traits>
 
 // This file is compiled once for every instruction set that Highway names; which one runs is decided at run time.
@@ -24,23 +25,23 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
+constexpr bool any_will_do(Bvh8Test test) { return test == Bvh8Test::any || test == Bvh8Test::any_candidate; }
+
 template <Bvh8Test test>
-HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Leaves& leaves,
-                          Traversal& traversal) {
-    if (tree.nodes.empty()) return;
-    constexpr bool any_will_do = test == Bvh8Test::any || test == Bvh8Test::any_candidate;
-    using Stack = std::conditional_t<any_will_do, InOrder, NearestFirst>;
-    typename Stack::Places places;
-    Stack waiting(tree, places);
+using StackOf = std::conditional_t<any_will_do(test), InOrder, NearestFirst>;
+
+// Walks on from a node or leaf to the next one that is_far(), which is returned, or to the end: none.
+template <Bvh8Test test, class IsFar>
+HWY_INLINE Bvh8Child walk_on(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Child next, Bvh8Ray& ray,
+                             const BoxRows& rows, StackOf<test>& waiting, Bvh8Leaves& leaves, Traversal& traversal,
+                             const IsFar& is_far) {
     alignas(32) std::array<float, bvh8_width> entries;
-    const BoxRows rows(tree, ray.boxes);
     const auto* const nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
     std::uint64_t steps = 0, triangles = 0;
-    Bvh8Child next = Bvh8Child::node(0);
     const auto come_to = [&](Bvh8Child child) HWY_ATTR {
         if constexpr (test == Bvh8Test::nearest_told) leaves.came_to(child);
     };
-    while (true) {
+    do {
         // A loop of its own, so that the ray's numbers stay in registers: where there are 32, that saves 3 to 4 %.
         if (next.is_node()) {
             const BoxLanes boxes(ray.boxes, rows, ray.start, ray.end);
@@ -53,9 +54,9 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
                 next = hit_found == 0 ? waiting.pop(latest_entry)
                                       : waiting.keep(*reinterpret_cast<const Bvh8Node*>(nodes + offset), entries.data(),
                                                      hit_found);
-            } while (next.is_node());
+            } while (next.is_node() && !is_far(next));
+            if (next.is_none() || is_far(next)) break;
         }
-        if (next.is_none()) break;
         come_to(next);
         if (next.kind() == Bvh8Child::Kind::triangles) {
             triangles += next.count();
@@ -68,13 +69,12 @@ HWY_INLINE void walk_with(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& 
             ray.end_by(leaves.others(next));
         }
         // Where any hit will do, the first one ends the walk, and until then the ray's end stays where it was.
-        if (any_will_do && ray.end < ray.start) break;
-        next = waiting.pop(ray.latest_entry());
-    }
+        next = any_will_do(test) && ray.end < ray.start ? Bvh8Child::none() : waiting.pop(ray.latest_entry());
+    } while (!next.is_none() && !is_far(next));
     traversal.steps += steps;
     traversal.box_tests += bvh8_width * steps;
     traversal.primitive_tests += triangles;
-    if constexpr (test == Bvh8Test::nearest || test == Bvh8Test::nearest_told) locate_nearest(tree, query, leaves);
+    return next;
 }
 
 template <Bvh8Test test>
@@ -84,9 +84,49 @@ HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& q
     const float displacement = is_of_candidates(test) ? query.displacement : 0;
     const BoxRay boxes(query.ray, tree, displacement);
     Bvh8Ray ray(query.ray, boxes, query.end);
-    if (boxes.fits_floats) walk_with<test>(tree, ray, query, leaves, traversal);
-    return boxes.fits_floats;
+    if (!boxes.fits_floats || tree.nodes.empty()) return boxes.fits_floats;
+    typename StackOf<test>::Places places;
+    StackOf<test> waiting(tree, places);
+    const BoxRows rows(tree, boxes);
+    walk_on<test>(tree, query, Bvh8Child::node(0), ray, rows, waiting, leaves, traversal,
+                  [](Bvh8Child) HWY_ATTR { return false; });
+    if constexpr (test == Bvh8Test::nearest || test == Bvh8Test::nearest_told) locate_nearest(tree, query, leaves);
+    return true;
 }
+
+// The walk of a ray that takes turns with others.
+class WalkInTurns {
+public:
+    HWY_INLINE WalkInTurns(const Bvh8Nodes& tree, const Bvh8Turns::Asked& asked)
+        : asked_(asked),
+          boxes_(asked.query.ray, tree, 0),
+          ray_(asked.query.ray, boxes_, asked.query.end),
+          rows_(tree, boxes_),
+          waiting_(tree, places_) {}
+    WalkInTurns(const WalkInTurns&) = delete;  // its parts refer to each other
+    WalkInTurns& operator=(const WalkInTurns&) = delete;
+
+    HWY_INLINE bool fits_floats() const { return boxes_.fits_floats; }
+
+    // Walks on to what has been prefetched but may still be on its way, or to the end: then false.
+    HWY_INLINE bool go_on(const Bvh8Nodes& tree, std::size_t near_bytes, Traversal& traversal) {
+        const auto is_far = [=](Bvh8Child child) HWY_ATTR { return child.prefetched_offset() >= near_bytes; };
+        next_ = walk_on<Bvh8Test::nearest>(tree, asked_.query, next_, ray_, rows_, waiting_, asked_.leaves, traversal,
+                                           is_far);
+        if (!next_.is_none()) return true;
+        locate_nearest(tree, asked_.query, asked_.leaves);
+        return false;
+    }
+
+private:
+    const Bvh8Turns::Asked& asked_;
+    BoxRay boxes_;
+    Bvh8Ray ray_;
+    BoxRows rows_;
+    NearestFirst waiting_;
+    Bvh8Child next_ = Bvh8Child::node(0);
+    NearestFirst::Places places_;
+};
 
 bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
     return walk_if_it_fits_floats<Bvh8Test::nearest>(tree, query, leaves, traversal);
@@ -112,6 +152,35 @@ bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leave
     return walk_if_it_fits_floats<Bvh8Test::plain>(tree, query, leaves, traversal);
 }
 
+void walk_nearest_in_turns(const Bvh8Nodes& tree, std::size_t near_bytes, Bvh8Turns& turns, Traversal& traversal) {
+    // (Not optional walks, whose functions are compiled for no instruction set in particular.)
+    struct Place {
+        alignas(WalkInTurns) std::array<std::byte, sizeof(WalkInTurns)> memory;
+        WalkInTurns* walk;
+    };
+    std::array<Place, Bvh8Turns::under_way> places;
+    // The next ray's walk, at a place, if there is one.
+    const auto begun = [&](std::size_t i) HWY_ATTR {
+        while (const Bvh8Turns::Asked* const asked = turns.next(i)) {
+            auto* const walk = new (places[i].memory.data()) WalkInTurns(tree, *asked);
+            if (walk->fits_floats()) return walk;
+            turns.exceeds_floats(i);
+        }
+        return static_cast<WalkInTurns*>(nullptr);
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].walk = begun(i);
+    for (bool are_under_way = true; are_under_way;) {
+        are_under_way = false;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!places[i].walk) continue;
+            are_under_way = true;
+            if (places[i].walk->go_on(tree, near_bytes, traversal)) continue;
+            turns.ended(i);
+            places[i].walk = begun(i);
+        }
+    }
+}
+
 CompiledFaults walk_faults() { return faults_of_lanes(); }
 
 }  // namespace raylab::HWY_NAMESPACE
@@ -126,14 +195,15 @@ HWY_EXPORT(walk_nearest_told);
 HWY_EXPORT(walk_candidates);
 HWY_EXPORT(walk_any_candidate);
 HWY_EXPORT(walk_plain);
+HWY_EXPORT(walk_nearest_in_turns);
 HWY_EXPORT(walk_faults);
 
 Bvh8Walks best_bvh8_walks() {
     const std::size_t best = best_instruction_set();
-    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],       HWY_DISPATCH_TABLE(walk_any)[best],
-                          HWY_DISPATCH_TABLE(walk_nearest_told)[best],  HWY_DISPATCH_TABLE(walk_candidates)[best],
-                          HWY_DISPATCH_TABLE(walk_any_candidate)[best], HWY_DISPATCH_TABLE(walk_plain)[best],
-                          HWY_DISPATCH_TABLE(walk_faults)[best]};
+    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],          HWY_DISPATCH_TABLE(walk_any)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_told)[best],     HWY_DISPATCH_TABLE(walk_candidates)[best],
+                          HWY_DISPATCH_TABLE(walk_any_candidate)[best],    HWY_DISPATCH_TABLE(walk_plain)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_in_turns)[best], HWY_DISPATCH_TABLE(walk_faults)[best]};
     assert(walks.faults() == CompiledFaults{} && "bvh8_walk.cpp is compiled with cmake/flags.cmake's flags");
     return walks;
 }

@@ -52,6 +52,21 @@ struct Bvh8Query {
     static constexpr std::uint32_t leaves_none = 0xffffffff;
 };
 
+/// Rays whose traversals take turns: so many are under way at once, each at a place that the next ray takes over.
+class Bvh8Turns {
+public:
+    static constexpr std::size_t under_way = 8;
+    struct Asked {
+        Bvh8Query query;
+        Bvh8Leaves& leaves;
+    };
+
+    virtual ~Bvh8Turns() = default;
+    virtual const Asked* next(std::size_t place) = 0;    // the next ray, at this place; null: there are no more
+    virtual void ended(std::size_t place) = 0;           // its traversal
+    virtual void exceeds_floats(std::size_t place) = 0;  // instead: nothing has been tested
+};
+
 /// Traversals through the boxes that a ray hits, the nearest child first, compiled for one instruction set.
 struct Bvh8Walks {
     /// False where floats do not suffice for the ray (it starts farther away than 2^39, its direction is too small or
@@ -68,6 +83,10 @@ struct Bvh8Walks {
     /// Pluecker's test in floats alone decides about triangles, for comparison with the exact answer. It is for
     /// triangles only, and for rays for which floats suffice.
     Walk plain;
+
+    /// The nearest hits of several rays. One that comes to a node or leaf beyond the first `near_bytes` of all nodes,
+    /// or of all leaves, has to wait for memory, and the next one goes on. The tree has nodes.
+    void (*nearest_in_turns)(const Bvh8Nodes&, std::size_t near_bytes, Bvh8Turns&, Traversal&);
 
     CompiledFaults (*faults)();  // of the code for this instruction set
 };

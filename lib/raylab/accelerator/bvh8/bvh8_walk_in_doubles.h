@@ -63,4 +63,9 @@ private:
     Traversal& traversal_;
 };
 
+[[gnu::noinline]] inline void walk_in_doubles(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves,
+                                              Traversal& traversal) {
+    if (!tree.nodes.empty()) WalkInDoubles(tree, query, leaves, traversal).visit(Bvh8Child::node(0));
+}
+
 }  // namespace raylab

@@ -1,0 +1,103 @@
+#include "catch.h"
+#include "geometry/verdict.h"
+#include "raylab/accelerator/bvh8/bvh8.h"
+#include "raylab/experiment/adversarial/adversarial_rays.h"
+#include "raylab/experiment/adversarial/adversarial_scenes.h"
+#include "raylab/experiment/generate/generate.h"
+
+using namespace raylab;
+using namespace raylab::adversarial;
+
+namespace {
+
+using Hits = std::vector<std::optional<Hit>>;
+
+Hits one_by_one(const Bvh8& tree, std::span<const Ray> rays, Traversal& traversal) {
+    Hits hits;
+    for (const Ray& ray : rays) hits.push_back(tree.closest(ray, traversal));
+    return hits;
+}
+
+// What differs from the answers, and the counts, of rays that are asked alone.
+std::string difference(const Hits& alone, const TestCounts& counts, const Hits& hits, const TestCounts& together) {
+    if (hits.size() != alone.size()) return "an answer is missing";
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (!same(hits[i], alone[i])) return fmt::format("ray {}", i);
+    if (together.steps != counts.steps || together.box_tests != counts.box_tests) return "nodes";
+    if (together.primitive_tests != counts.primitive_tests) return "primitives";
+    if (together.exact_decisions != counts.exact_decisions) return "exact decisions";
+    return "";
+}
+
+Ray any_ray(Draw& draw, const SceneRays& rays) {
+    Ray ray =
+        rays.draw(draw, static_cast<std::size_t>(draw.integer(0, static_cast<int>(SceneRays::kinds().size()) - 1)));
+    if (draw.one_in(50)) ray.direction = Vec3f(0);
+    if (draw.one_in(10))
+        ray.range = {draw.uniform(-0.1f, 0.5f), draw.uniform(0, 2)};  // in doubles, if it begins before 0
+    return ray;
+}
+
+// Rays are asked for the nearest hit one after the other, and in turns that end at each step, at some, and at none.
+std::optional<std::string> compare_turns(Draw& draw, const Scene& scene) {
+    const Bvh8 tree(scene);
+    const SceneRays scene_rays(scene);
+    std::vector<Ray> rays;
+    const int count = draw.one_in(5) ? draw.integer(0, 9) : draw.integer(10, 60);
+    for (int i = 0; i < count; ++i) {
+        rays.push_back(any_ray(draw, scene_rays));
+        // Some leave what another one has hit.
+        if (i == 0 || !draw.one_in(4)) continue;
+        Traversal traversal;
+        if (const auto hit = tree.closest(rays[static_cast<std::size_t>(i) - 1], traversal))
+            rays.back().leaving = hit->primitive;
+    }
+    Traversal alone;
+    const Hits expected = one_by_one(tree, rays, alone);
+    for (const std::size_t near_bytes : {std::size_t{0}, std::size_t{500}, ~std::size_t{0}}) {
+        Traversal together;
+        const Hits hits = tree.closest_in_turns(rays, near_bytes, together);
+        const std::string differs = difference(expected, alone, hits, together);
+        if (!differs.empty()) return fmt::format("{} with {} bytes near", differs, near_bytes);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("rays that take turns have the answers and counts of rays asked alone") {
+    std::size_t number = 0;
+    const auto compare = [&](Draw& draw) {
+        const auto& kinds = scene_kinds();
+        return compare_turns(draw, kinds[number++ % kinds.size()].make(draw));
+    };
+    CHECK(faults(2000, compare) == "");
+}
+
+TEST_CASE("rays of any exponent that take turns have the answers and counts of rays asked alone") {
+    std::size_t number = 0;
+    const auto compare = [&](Draw& draw) {
+        const auto& kinds = exponent_scene_kinds();
+        return compare_turns(draw, kinds[number++ % kinds.size()].make(draw));
+    };
+    CHECK(faults(2000, compare) == "");
+}
+
+// (The tree has 12 MB: see Bvh8::closest_of().)
+TEST_CASE("rays asked together in a large tree have the answers and counts of rays asked alone") {
+    Scene scene = scene_of({});
+    scene.objects = {object(std::make_shared<const Mesh>(bumpy_sphere(7)))};
+    const Bvh8 tree(scene);
+    Draw draw(5);
+    for (const bool apart : {true, false}) {
+        std::vector<Ray> rays;
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3f origin = apart ? draw.in_cube(1.2f) : Vec3f(0, 0, 3) + draw.in_cube(0.01f);
+            rays.push_back({origin, apart ? draw.in_cube(1) : draw.in_cube(1) - origin});
+        }
+        Traversal alone, together;
+        const Hits expected = one_by_one(tree, rays, alone);
+        const Hits hits = tree.closest_of(rays, together);
+        CHECK(difference(expected, alone, hits, together) == "");
+    }
+}
