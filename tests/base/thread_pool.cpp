@@ -1,8 +1,14 @@
 #include "raylab/base/thread_pool.h"
 
 #include "catch.h"
+#include "sanitized.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <fstream>
 #include <latch>
 #include <mutex>
 #include <set>
@@ -28,6 +34,28 @@ TEST_CASE("a pool has no more threads than there are pieces of work") {
     CHECK(ThreadPool(8, 3).size() == 3);
     CHECK(ThreadPool(8, 0).size() == 1);
     CHECK(ThreadPool().size() == 1);
+}
+
+// (In a process of its own, whose memory is limited, and which ends if it would wait for ever. A sanitizer has reserved
+// more than any limit.)
+TEST_CASE("a pool that lacks memory for all of its threads works with fewer") {
+    if constexpr (is_sanitized) return;
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(20);
+        rlim_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{40} << 20);
+        const rlimit limit{bytes, bytes};
+        if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(2);
+        ThreadPool pool(64, 64);
+        std::atomic<int> worked = 0;
+        pool.run([&](int) { ++worked; });
+        _exit(pool.size() < 64 && worked == pool.size() ? 0 : 1);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
 }
 
 TEST_CASE("a pool hands out every piece, and every number in turn", "[threads]") {
