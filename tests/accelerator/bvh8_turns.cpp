@@ -83,7 +83,7 @@ TEST_CASE("rays of any exponent that take turns have the answers and counts of r
     CHECK(faults(2000, compare) == "");
 }
 
-// (The tree has 12 MB: see Bvh8::closest_of().)
+// (The tree has 12 MB: see Bvh8::wait_for_memory().)
 TEST_CASE("rays asked together in a large tree have the answers and counts of rays asked alone") {
     Scene scene = scene_of({});
     scene.objects = {object(std::make_shared<const Mesh>(bumpy_sphere(7)))};

@@ -18,12 +18,14 @@ std::optional<Hit> Bvh8::closest(const Ray& ray, Traversal& traversal) const {
 std::vector<std::optional<Hit>> Bvh8::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
     // So much of a tree's nodes, and of its leaves, stays in the caches.
     constexpr std::size_t near_bytes = std::size_t{1} << 21;
-    if (contents_.tree().bytes() <= 2 * near_bytes || !begin_far_apart(rays))
-        return Accelerator::closest_of(rays, traversal);
-    return closest_in_turns(rays, near_bytes, traversal);
+    return wait_for_memory(rays) ? closest_in_turns(rays, near_bytes, traversal)
+                                 : Accelerator::closest_of(rays, traversal);
 }
 
-bool Bvh8::begin_far_apart(std::span<const Ray> rays) const {
+bool Bvh8::wait_for_memory(std::span<const Ray> rays) const {
+    constexpr std::size_t small = std::size_t{1} << 22, large = std::size_t{1} << 28;
+    const std::size_t bytes = contents_.tree().bytes();
+    if (bytes <= small || bytes >= large) return bytes >= large;
     const float close = contents_.tree().reach / 16;
     std::size_t apart = 0;
     for (std::size_t i = 1; i < rays.size(); ++i) {

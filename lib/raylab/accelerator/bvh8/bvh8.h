@@ -32,8 +32,9 @@ public:
                                                      Traversal& traversal) const;
 
 private:
-    // Whether rays wait for memory: few begin close to the one before them, and so find in the caches what it has read.
-    bool begin_far_apart(std::span<const Ray> rays) const;
+    // Whether rays wait so long for memory that turns pay. In a tree that fits the caches none does, in one far larger
+    // than these all do. Between, a ray finds there what the one before it has read, unless most begin far apart.
+    bool wait_for_memory(std::span<const Ray> rays) const;
 
     void walk(Bvh8Walks::Walk how, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const {
         if (!how(contents_.tree(), query, leaves, traversal))
