@@ -66,21 +66,10 @@ std::optional<std::string> compare_turns(Draw& draw, const Scene& scene) {
 }  // namespace
 
 TEST_CASE("rays that take turns have the answers and counts of rays asked alone") {
+    const auto kinds = every_scene_kind();
     std::size_t number = 0;
-    const auto compare = [&](Draw& draw) {
-        const auto& kinds = scene_kinds();
-        return compare_turns(draw, kinds[number++ % kinds.size()].make(draw));
-    };
-    CHECK(faults(2000, compare) == "");
-}
-
-TEST_CASE("rays of any exponent that take turns have the answers and counts of rays asked alone") {
-    std::size_t number = 0;
-    const auto compare = [&](Draw& draw) {
-        const auto& kinds = exponent_scene_kinds();
-        return compare_turns(draw, kinds[number++ % kinds.size()].make(draw));
-    };
-    CHECK(faults(2000, compare) == "");
+    const auto compare = [&](Draw& draw) { return compare_turns(draw, kinds[number++ % kinds.size()].make(draw)); };
+    CHECK(faults(4000, compare) == "");
 }
 
 // (The tree has 12 MB: see Bvh8::wait_for_memory().)
