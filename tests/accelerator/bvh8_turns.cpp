@@ -12,13 +12,7 @@ namespace {
 
 using Hits = std::vector<std::optional<Hit>>;
 
-Hits one_by_one(const Bvh8& tree, std::span<const Ray> rays, Traversal& traversal) {
-    Hits hits;
-    for (const Ray& ray : rays) hits.push_back(tree.closest(ray, traversal));
-    return hits;
-}
-
-// What differs from the answers, and the counts, of rays that are asked alone.
+// What differs from the answers, and the counts, of rays that are asked alone (by Accelerator::closest_of()).
 std::string difference(const Hits& alone, const TestCounts& counts, const Hits& hits, const TestCounts& together) {
     if (hits.size() != alone.size()) return "an answer is missing";
     for (std::size_t i = 0; i < hits.size(); ++i)
@@ -53,7 +47,7 @@ std::optional<std::string> compare_turns(Draw& draw, const Scene& scene) {
             rays.back().leaving = hit->primitive;
     }
     Traversal alone;
-    const Hits expected = one_by_one(tree, rays, alone);
+    const Hits expected = tree.Accelerator::closest_of(rays, alone);
     for (const std::size_t near_bytes : {std::size_t{0}, std::size_t{500}, ~std::size_t{0}}) {
         Traversal together;
         const Hits hits = tree.closest_in_turns(rays, near_bytes, together);
@@ -85,7 +79,7 @@ TEST_CASE("rays asked together in a large tree have the answers and counts of ra
             rays.push_back({origin, apart ? draw.in_cube(1) : draw.in_cube(1) - origin});
         }
         Traversal alone, together;
-        const Hits expected = one_by_one(tree, rays, alone);
+        const Hits expected = tree.Accelerator::closest_of(rays, alone);
         const Hits hits = tree.closest_of(rays, together);
         CHECK(difference(expected, alone, hits, together) == "");
     }
