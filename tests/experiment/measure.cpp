@@ -74,3 +74,21 @@ TEST_CASE("measuring runs a method with its preparation and lets the judge see i
     CHECK(row.nanoseconds.median > 0);
     CHECK(row.prepare_nanoseconds.median > 0);
 }
+
+TEST_CASE("a method's answers take processor time, whatever else the machine does, and its preparation elapsed time") {
+    const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+    const Method<int, int, int> method{
+        .name = "waits",
+        .number = "exact",
+        .source = "",
+        .prepare =
+            [=](std::span<const int>) {
+                wait();
+                return std::any();
+            },
+        .answer = [=](const std::any&, std::span<const int>, std::span<const int>, std::span<int>) { wait(); }};
+    const auto judge = [](std::span<const int>) { return Judgement{}; };
+    const auto row = measure<int, int, int>(method, {"one", "", {}, {1}}, judge, {.repeats = 1, .shortest = 0});
+    CHECK(row.nanoseconds.median < 5e6);
+    CHECK(row.prepare_nanoseconds.median >= 20e6);
+}

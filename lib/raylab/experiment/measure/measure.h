@@ -73,14 +73,16 @@ struct MeasureOptions {
         wall,    // the time that a user waits
         thread,  // the processor time of this thread, which is the same on a busy machine; for work of one thread
     } clock = Clock::wall;
+
+    MeasureOptions with(Clock other) const { return {.repeats = repeats, .shortest = shortest, .clock = other}; }
 };
 
 /// Measures the time of `run` (one pass over `queries` queries): one warm-up, then repetitions. The result is in
 /// nanoseconds per query.
 Spread time_per_query(std::size_t queries, const std::function<void()>& run, const MeasureOptions& options = {});
 
-/// Runs one method on one workload and lets `judge`, a Verdict(std::span<const Result>), compare its answers with the
-/// truth.
+/// Runs one method on one workload and lets `judge`, a Judgement(std::span<const Result>), compare its answers with the
+/// truth. Answers are given in this thread, so their time is its processor time.
 template <class Data, class Query, class Result, std::invocable<std::span<const Result>> Judge>
 Measurement measure(const Method<Data, Query, Result>& method, const Workload<Data, Query>& workload,
                     const Judge& judge, const MeasureOptions& options = {}) {
@@ -95,7 +97,7 @@ Measurement measure(const Method<Data, Query, Result>& method, const Workload<Da
             1, [&] { state = method.prepare(workload.data); }, options);
     std::vector<Result> results(workload.queries.size());
     const auto answer = [&] { method.answer(state, workload.data, workload.queries, results); };
-    row.nanoseconds = time_per_query(workload.queries.size(), answer, options);
+    row.nanoseconds = time_per_query(workload.queries.size(), answer, options.with(MeasureOptions::Clock::thread));
     const Judgement verdict = judge(results);
     row.error = verdict.error;
     row.error_bound = verdict.error_bound;

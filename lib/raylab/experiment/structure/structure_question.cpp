@@ -53,8 +53,6 @@ StructureAnswers true_answers(const StructureWorkload& workload) {
 
 Measurement measure_structure(const StructureMethod& method, const StructureWorkload& workload,
                               const StructureAnswers& truth, const MeasureOptions& options) {
-    MeasureOptions asking = options;
-    asking.clock = MeasureOptions::Clock::thread;  // queries run in one thread; builds may use several
     const std::size_t rays = workload.rays.size();
     std::unique_ptr<Accelerator> structure;
     Measurement row{.method = method.name, .number = method.number, .workload = workload.name, .queries = rays};
@@ -66,7 +64,7 @@ Measurement measure_structure(const StructureMethod& method, const StructureWork
             Traversal uncounted;
             for (const Ray& ray : workload.rays) answer(*structure, ray, workload.question, uncounted);
         },
-        asking);
+        options.with(MeasureOptions::Clock::thread));  // queries run in one thread; builds may use several
     Traversal counted;
     const auto answers = answers_of(*structure, workload, counted);
     const double million = 1e6 / static_cast<double>(std::max<std::size_t>(1, rays));

@@ -61,8 +61,7 @@ Built built(const StructureMethod& method, const Scene& scene) {
 }
 
 StructureCost cost_of(const StructureMethod& method, const std::string& family, const StructureWorkload& workload,
-                      double max_work, MeasureOptions options) {
-    options.clock = MeasureOptions::Clock::thread;
+                      double max_work, const MeasureOptions& options) {
     const Scene& scene = *workload.scene;
     const std::size_t primitives = std::max<std::size_t>(1, primitive_count(scene));
     const auto [structure, build_seconds] = built(method, scene);
@@ -80,7 +79,7 @@ StructureCost cost_of(const StructureMethod& method, const std::string& family, 
             .rays = asked.rays.size(),
             .build_seconds = build_seconds,
             .bytes = static_cast<double>(structure->bytes()) / static_cast<double>(primitives),
-            .nanoseconds = time_per_query(asked.rays.size(), ask, options),
+            .nanoseconds = time_per_query(asked.rays.size(), ask, options.with(MeasureOptions::Clock::thread)),
             .primitive_tests = static_cast<double>(counted.primitive_tests) / rays,
             .box_tests = static_cast<double>(counted.box_tests) / rays,
             .steps = static_cast<double>(counted.steps) / rays};
