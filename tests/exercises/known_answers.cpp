@@ -32,7 +32,7 @@ TEST_CASE("the reference passes on every seed") {
         }
 }
 
-TEST_CASE("no ray that passes by the sphere hits it, on any seed") {
+TEST_CASE("no ray that passes by the sphere hits it, on any seed", "[long]") {
     const auto& spheres = exercise("02");
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         auto cases = spheres.cases(seed);
@@ -154,7 +154,7 @@ TEST_CASE("answers of a float's precision are told as such") {
     }
 }
 
-TEST_CASE("an answer that is not a number is never right") {
+TEST_CASE("an answer that is not a number is never right", "[long]") {
     for (const auto& exercise : exercises_of_this_run()) {
         const auto verdict = judged(
             exercise, [](auto, auto out) { std::ranges::fill(out, std::nan("")); }, 1);

@@ -66,7 +66,7 @@ Verdict light_verdict(
 
 }  // namespace
 
-TEST_CASE("a mistake has its hint in any shape, by how its points are spread") {
+TEST_CASE("a mistake has its hint in any shape, by how its points are spread", "[long]") {
     CHECK(lens_hint([](double radius, double u, double v) {
               const double r = radius * v, angle = -2 * pi * u + 1;
               return DiskPoint{r * std::sin(angle), r * std::cos(angle)};
@@ -93,7 +93,7 @@ TEST_CASE("a mistake has its hint in any shape, by how its points are spread") {
           }) == "crowd_at_the_rim");
 }
 
-TEST_CASE("a small bias is no mistake that is known, though its points are spread nearly as a known one's") {
+TEST_CASE("a small bias is no mistake that is known, though its points are spread nearly as a known one's", "[long]") {
     const auto power = [](double exponent) {
         return [exponent](double radius, double u, double v) {
             const double r = radius * std::pow(u, exponent), angle = 2 * pi * v;
@@ -108,7 +108,7 @@ TEST_CASE("a small bias is no mistake that is known, though its points are sprea
           }) == "degrees");
 }
 
-TEST_CASE("a mistake about directions or their densities has its hint in any shape") {
+TEST_CASE("a mistake about directions or their densities has its hint in any shape", "[long]") {
     CHECK(lobe_verdict([](double u, double v) {  // by the angle, and the other way round
               const double below = std::acos(v), angle = -2 * pi * u;
               const Vec3d d{std::sin(below) * std::sin(angle), std::sin(below) * std::cos(angle), std::cos(below)};
@@ -137,7 +137,7 @@ TEST_CASE("a mistake about directions or their densities has its hint in any sha
           }).hint == "from_forgotten");
 }
 
-TEST_CASE("a density that is wrong by 1 % is found at every single point") {
+TEST_CASE("a density that is wrong by 1 % is found at every single point", "[long]") {
     const auto lobe = lobe_verdict([](double u, double v) {
         const auto [d, pdf] = cosine_direction(u, v);
         return SampledDirection{d, 1.01 * pdf};

@@ -60,7 +60,7 @@ TEST_CASE("the mean of all counts is as asked, each is a power of two, none belo
     CHECK(*std::ranges::max_element(counts) > 2 * mean);
 }
 
-TEST_CASE("adaptive pictures have the same mean, and a smaller error for as many samples") {
+TEST_CASE("adaptive pictures have the same mean, and a smaller error for as many samples", "[long]") {
     const Sampled stage(penumbra);
     const int width = stage.scene.image.width, height = stage.scene.image.height;
     const SampledImage truth = stage.sampled(16384, 99);

@@ -43,7 +43,7 @@ TEST_CASE("in a furnace all is as bright as its series says") {
 // Of a closed box that reflects the share rho everywhere, power alone says how bright it is in the mean: what is
 // emitted is what is absorbed, so the mean of L (1 - rho) is that of the emission. Nothing in it hides anything,
 // either.
-TEST_CASE("a box that reflects alike everywhere keeps its power") {
+TEST_CASE("a box that reflects alike everywhere keeps its power", "[long]") {
     std::string text =
         "[material.wall]\ndiffuse = [0.6, 0.6, 0.6]\n[material.light]\ndiffuse = [0.6, 0.6, 0.6]\nemission = [3, 3, 3]\n";
     const auto side = [&](const char* corners, const char* material) {
@@ -84,7 +84,7 @@ TEST_CASE("a box that reflects alike everywhere keeps its power") {
 
 // The light is a unit square 2 above the floor, and at half that height a half-plane hides x < 0. (The numbers are the
 // form factors from the floor's point to what it sees of the light.)
-TEST_CASE("the penumbra of a half-plane") {
+TEST_CASE("the penumbra of a half-plane", "[long]") {
     struct Point {
         double x, share;
     };
@@ -288,7 +288,8 @@ SampledImage side_of_duct(int shining, int depth) {
 // Half of what leaves a side meets each of the others (Hottel's crossed strings). Of one bounce that is all; of many, a
 // side is not equally bright everywhere, so 1.2, 0.4 and 0.4, the solution of three patches, are not its means. But
 // their sum is 2 all the same: what is emitted is what is absorbed.
-TEST_CASE("in an equilateral duct one bounce brings a quarter to each other side, and all bounces keep the power") {
+TEST_CASE("in an equilateral duct one bounce brings a quarter to each other side, and all bounces keep the power",
+          "[long]") {
     check_mean(side_of_duct(1, 1), 0.25);
     check_mean(side_of_duct(2, 1), 0.25);
     double sum = 0, variance = 0;

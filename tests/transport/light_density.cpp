@@ -76,7 +76,7 @@ const Affine sheared{.columns = {Vec3f{1, 0.25f, 0}, Vec3f{0.5f, 1.5f, 0}, Vec3f
 
 }  // namespace
 
-TEST_CASE("samples of any light have the density that its pdf tells of what a ray meets, placed or not") {
+TEST_CASE("samples of any light have the density that its pdf tells of what a ray meets, placed or not", "[long]") {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         INFO(i);
         CHECK(p_value(lit_by(shapes[i]), {0, 0, 0}) > alpha);

@@ -75,7 +75,7 @@ constexpr double of_parts = 4e-3;
 
 }  // namespace
 
-TEST_CASE("every lobe's samples have the density that it says, above the surface and below") {
+TEST_CASE("every lobe's samples have the density that it says, above the surface and below", "[long]") {
     for (const auto& [name, wo, lobe] : lobes()) {
         BothSides sides;
         for (std::uint64_t i = 0; i < samples; ++i) {
@@ -103,7 +103,8 @@ TEST_CASE("every lobe's samples have the density that it says, above the surface
     }
 }
 
-TEST_CASE("white furnace: no lobe returns more light than it gets, and the mean weight is the integral of its value") {
+TEST_CASE("white furnace: no lobe returns more light than it gets, and the mean weight is the integral of its value",
+          "[long]") {
     for (const auto& [name, wo, lobe] : lobes()) {
         double sum = 0, squares = 0;
         for (std::uint64_t i = 0; i < samples; ++i) {

@@ -64,7 +64,7 @@ TEST_CASE("a straight edge that moves is a linear ramp") {
     }
 }
 
-TEST_CASE("a ramp's slope says the speed, and one that is wrong by 1 % is found") {
+TEST_CASE("a ramp's slope says the speed, and one that is wrong by 1 % is found", "[long]") {
     const SampledImage image = moving_edge("[0, 1]", -1, 1 << 18);
     double slope = 0, squares = 0, variance = 0;  // by least squares, of the pixels on the ramp
     for (int x = 2; x < 6; ++x)
@@ -159,7 +159,7 @@ material = "dark"
 
 // A sphere of radius 1 goes up from 2 to 4 above the floor: the irradiance over pi, (R / d)^2, is in the mean
 // R^2 / (2 * 4). Points on the light are found where it is then, and weighed with the lobes' directions that hit it.
-TEST_CASE("a light that moves shines from where it is") {
+TEST_CASE("a light that moves shines from where it is", "[long]") {
     const std::string scene = R"(
 [image]
 width = 4
@@ -198,7 +198,7 @@ material = "light"
 
 // A disk whose radius grows from R to 2 R, a height h above the floor: the irradiance over pi, r^2 / (r^2 + h^2), is in
 // the mean 1 - h (atan(2 R / h) - atan(R / h)) / R.
-TEST_CASE("a light that stretches shines from all of what it is") {
+TEST_CASE("a light that stretches shines from all of what it is", "[long]") {
     const std::string scene = R"(
 [image]
 width = 4

@@ -47,7 +47,7 @@ void check_edge_slopes(const Sampled& stage, double truth, double of_even_sample
 
 }  // namespace
 
-TEST_CASE("the picture of an edge behind a lens: random -1/2, jittered -3/4, scrambled Sobol -3/4") {
+TEST_CASE("the picture of an edge behind a lens: random -1/2, jittered -3/4, scrambled Sobol -3/4", "[long]") {
     constexpr double s = 0.25, radius = 0.125, focus = 4;
     const Sampled edge(pixels +
                        fmt::format("[camera]\nposition = [0, 0, 0]\ntarget = [{}, 0, {}]\nfov_y = 1e-6\n"
@@ -58,21 +58,23 @@ TEST_CASE("the picture of an edge behind a lens: random -1/2, jittered -3/4, scr
     check_edge_slopes(edge, 0.5 + (s * std::sqrt(1 - s * s) + std::asin(s)) / std::numbers::pi, -0.75);
 }
 
-TEST_CASE("the picture of a floor below an area light: random -1/2, jittered -1, scrambled Sobol at most -1.4") {
+TEST_CASE("the picture of a floor below an area light: random -1/2, jittered -1, scrambled Sobol at most -1.4",
+          "[long]") {
     const Sampled floor(pixels + floor_below_light_text());
     CHECK_THAT(picture_slope(floor, SamplerKind::random, floor_below_light), WithinAbs(-0.5, 0.08));
     CHECK_THAT(picture_slope(floor, SamplerKind::jittered, floor_below_light), WithinAbs(-1, 0.08));
     CHECK(picture_slope(floor, SamplerKind::sobol, floor_below_light) <= -1.4);
 }
 
-TEST_CASE("a light that directions of the lobe find is an edge: random -1/2, jittered -3/4, scrambled Sobol -3/4") {
+TEST_CASE("a light that directions of the lobe find is an edge: random -1/2, jittered -3/4, scrambled Sobol -3/4",
+          "[long]") {
     TransportOptions by_lobes = paths();
     by_lobes.strategy = LightStrategy::lobes;
     check_edge_slopes(Sampled(pixels + floor_below_light_text(), by_lobes), floor_below_light, -0.75);
 }
 
 // It passes at a third of the time: at a third of one of the jittered intervals, whatever their number here.
-TEST_CASE("an edge that moves past: random -1/2; jittered and scrambled Sobol -1, as in one dimension") {
+TEST_CASE("an edge that moves past: random -1/2; jittered and scrambled Sobol -1, as in one dimension", "[long]") {
     const Sampled edge(
         pixels + "[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\nfov_y = 1e-6\nshutter = [0, 1]\n" +
         material_text("bright", 0, 1) +
