@@ -48,8 +48,7 @@ CaseRow row(const std::string& method, double value, double truth, Expected expe
 
 CaseRow answer(const std::string& name, const KnownPair& pair, int effort, Expected expected) {
     const FormFactorMethod& method = method_named(name);
-    const std::string title = method.effort.empty() ? name : fmt::format("{}, {} {}", name, effort, method.effort);
-    return row(title, method.answer(pair.from, pair.to, effort)->value, pair.form_factor, expected);
+    return row(method.title(effort), method.answer(pair.from, pair.to, effort)->value, pair.form_factor, expected);
 }
 
 std::vector<CaseRow> hemicube_near() {

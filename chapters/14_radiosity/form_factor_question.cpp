@@ -4,8 +4,6 @@
 
 #include "raylab/radiosity/form_factor/form_factor_methods.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +62,7 @@ Experiment measure_form_factors(const ChapterRun& run) {
                     {.method = method.name,
                      .number = "double",
                      .workload = name,
-                     .knob = method.effort.empty() ? "" : fmt::format("{} {}", effort, method.effort),
+                     .knob = method.effort_text(effort),
                      .source = method.source,
                      .error = std::max(std::abs(value->value / pair.form_factor - 1), digits_of_truth),
                      .nanoseconds = time_per_query(

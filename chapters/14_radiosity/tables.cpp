@@ -24,8 +24,7 @@ std::vector<std::vector<std::string>> square_rows() {
     std::vector<std::vector<std::string>> rows;
     for (const FormFactorMethod& method : form_factor_methods()) {
         const int effort = method.efforts[method.efforts.size() / 2];
-        std::vector<std::string> row{method.name +
-                                     (method.effort.empty() ? "" : fmt::format(", {} {}", effort, method.effort))};
+        std::vector<std::string> row{method.title(effort)};
         for (const KnownPair& pair : {facing_1_apart(), facing_tenth_apart()}) {
             const double value = method.answer(pair.from, pair.to, effort)->value;
             const double error = std::abs(value / pair.form_factor - 1);

@@ -31,6 +31,14 @@ TEST_CASE("methods are told apart by their names, and name a source") {
     }
 }
 
+TEST_CASE("a method's title counts its effort") {
+    CHECK(form_factor_method_named("contour").title(1) == "contour, 1 point a side");
+    CHECK(form_factor_method_named("contour").title(6) == "contour, 6 points a side");
+    CHECK(form_factor_method_named("area").effort_text(1) == "1 pair");
+    CHECK(form_factor_method_named("area").effort_text(16) == "16 pairs");
+    CHECK(form_factor_method_named("polygon").title(1) == "polygon");
+}
+
 TEST_CASE("more effort helps where a method has any") {
     const auto [from, to] = parallel_pair(1, 1, 1);
     for (const FormFactorMethod& method : form_factor_methods()) {

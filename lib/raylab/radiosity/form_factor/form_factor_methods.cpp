@@ -12,6 +12,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -23,12 +24,11 @@ using View = std::span<const Vec3d>;
 using Answer = std::optional<FormFactorEstimate>;
 
 FormFactorMethod sampling(const std::string& name, const std::string& source, PairPattern pattern) {
-    return {
-        name, source, "pairs", {16, 64, 256, 1024, 4096, 16384}, [pattern](View from, View to, int pairs) -> Answer {
-            const auto sampled = sampled_form_factor(from, to, {.pairs = pairs, .pattern = pattern},
-                                                     [](const Vec3d&, const Vec3d&) { return 1.0; });
-            return FormFactorEstimate{sampled.value, sampled.standard_error};
-        }};
+    return {name, source, "pair", {16, 64, 256, 1024, 4096, 16384}, [pattern](View from, View to, int pairs) -> Answer {
+                const auto sampled = sampled_form_factor(from, to, {.pairs = pairs, .pattern = pattern},
+                                                         [](const Vec3d&, const Vec3d&) { return 1.0; });
+                return FormFactorEstimate{sampled.value, sampled.standard_error};
+            }};
 }
 
 // A hemicube at the polygon's centre, turned with its first edge.
@@ -43,6 +43,16 @@ Answer estimate(std::optional<double> value) { return value ? Answer(FormFactorE
 
 }  // namespace
 
+std::string FormFactorMethod::effort_text(int count) const {
+    if (effort.empty()) return "";
+    const auto noun = std::min(effort.find(' '), effort.size());
+    return fmt::format("{} {}{}{}", count, effort.substr(0, noun), count == 1 ? "" : "s", effort.substr(noun));
+}
+
+std::string FormFactorMethod::title(int count) const {
+    return effort.empty() ? name : name + ", " + effort_text(count);
+}
+
 const std::vector<FormFactorMethod>& form_factor_methods() {
     static const std::vector<FormFactorMethod> methods{
         {"disk",
@@ -52,7 +62,7 @@ const std::vector<FormFactorMethod>& form_factor_methods() {
          [](View from, View to, int) { return estimate(disk_form_factor(from, to)); }},
         {"hemicube",
          "Cohen and Greenberg, SIGGRAPH 85",
-         "pixels a side",
+         "pixel a side",
          {16, 32, 64, 128, 256, 512},
          [](View from, View to, int resolution) { return estimate(by_hemicube(from, to, resolution)); }},
         sampling("area, random", "Goral, Torrance, Greenberg and Battaile, SIGGRAPH 84, by pairs of points",
@@ -61,7 +71,7 @@ const std::vector<FormFactorMethod>& form_factor_methods() {
         sampling("area, low-discrepancy", "the same, by Roberts' R4 sequence, 2018", PairPattern::low_discrepancy),
         {"contour",
          "Lambert, Photometria, 1760; Baum, Rushmeier and Winget, SIGGRAPH 89",
-         "points a side",
+         "point a side",
          {1, 2, 3, 4, 6, 8, 12, 16},
          [](View from, View to, int per_side) { return estimate(point_sampled_contour(from, to, per_side)); }},
         {"polygon",

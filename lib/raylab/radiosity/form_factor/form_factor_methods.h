@@ -20,10 +20,15 @@ struct FormFactorEstimate {
 struct FormFactorMethod {
     std::string name;          // "hemicube"
     std::string source;        // where to look it up
-    std::string effort;        // what `effort` counts: "pairs", "pixels a side", ...; empty where it is not used
+    std::string effort;        // what one of `effort` is: "pair", "pixel a side", ...; empty where it is not used
     std::vector<int> efforts;  // for a chart: from the least to the most
     std::function<std::optional<FormFactorEstimate>(std::span<const Vec3d> from, std::span<const Vec3d> to, int effort)>
         answer;
+
+    /// "1 pair", "6 points a side"; empty where the effort is not used.
+    std::string effort_text(int count) const;
+    /// "contour, 6 points a side".
+    std::string title(int count) const;
 };
 
 /// All of them, the cheapest kind first. Absent is the answer of a closed form that does not know the polygons.
