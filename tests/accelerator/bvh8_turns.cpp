@@ -12,15 +12,26 @@ namespace {
 
 using Hits = std::vector<std::optional<Hit>>;
 
+// What differs from the counts of rays that are asked alone.
+std::string difference(const TestCounts& counts, const TestCounts& together) {
+    if (together.steps != counts.steps || together.box_tests != counts.box_tests) return "nodes";
+    if (together.primitive_tests != counts.primitive_tests) return "primitives";
+    if (together.exact_decisions != counts.exact_decisions) return "exact decisions";
+    return "";
+}
+
 // What differs from the answers, and the counts, of rays that are asked alone (by Accelerator::closest_of()).
 std::string difference(const Hits& alone, const TestCounts& counts, const Hits& hits, const TestCounts& together) {
     if (hits.size() != alone.size()) return "an answer is missing";
     for (std::size_t i = 0; i < hits.size(); ++i)
         if (!same(hits[i], alone[i])) return fmt::format("ray {}", i);
-    if (together.steps != counts.steps || together.box_tests != counts.box_tests) return "nodes";
-    if (together.primitive_tests != counts.primitive_tests) return "primitives";
-    if (together.exact_decisions != counts.exact_decisions) return "exact decisions";
-    return "";
+    return difference(counts, together);
+}
+
+// The same of rays that are asked for any hit.
+std::string difference(const std::vector<bool>& alone, const TestCounts& counts, const std::vector<bool>& occluded,
+                       const TestCounts& together) {
+    return occluded == alone ? difference(counts, together) : "whether there is a hit";
 }
 
 Ray any_ray(Draw& draw, const SceneRays& rays) {
@@ -32,7 +43,7 @@ Ray any_ray(Draw& draw, const SceneRays& rays) {
     return ray;
 }
 
-// Rays are asked for the nearest hit one after the other, and in turns that end at each step, at some, and at none.
+// Rays are asked one after the other, and in turns that end at each step, at some, and at none.
 std::optional<std::string> compare_turns(Draw& draw, const Scene& scene) {
     const Bvh8 tree(scene);
     const SceneRays scene_rays(scene);
@@ -46,13 +57,17 @@ std::optional<std::string> compare_turns(Draw& draw, const Scene& scene) {
         if (const auto hit = tree.closest(rays[static_cast<std::size_t>(i) - 1], traversal))
             rays.back().leaving = hit->primitive;
     }
-    Traversal alone;
+    Traversal alone, alone_for_any;
     const Hits expected = tree.Accelerator::closest_of(rays, alone);
+    const std::vector<bool> occluded = tree.Accelerator::occluded_of(rays, alone_for_any);
     for (const std::size_t near_bytes : {std::size_t{0}, std::size_t{500}, ~std::size_t{0}}) {
-        Traversal together;
+        Traversal together, together_for_any;
         const Hits hits = tree.closest_in_turns(rays, near_bytes, together);
-        const std::string differs = difference(expected, alone, hits, together);
+        std::string differs = difference(expected, alone, hits, together);
         if (!differs.empty()) return fmt::format("{} with {} bytes near", differs, near_bytes);
+        differs = difference(occluded, alone_for_any, tree.occluded_in_turns(rays, near_bytes, together_for_any),
+                             together_for_any);
+        if (!differs.empty()) return fmt::format("any hit: {} with {} bytes near", differs, near_bytes);
     }
     return std::nullopt;
 }
@@ -82,5 +97,8 @@ TEST_CASE("rays asked together in a large tree have the answers and counts of ra
         const Hits expected = tree.Accelerator::closest_of(rays, alone);
         const Hits hits = tree.closest_of(rays, together);
         CHECK(difference(expected, alone, hits, together) == "");
+        Traversal alone_for_any, together_for_any;
+        const auto occluded = tree.Accelerator::occluded_of(rays, alone_for_any);
+        CHECK(difference(occluded, alone_for_any, tree.occluded_of(rays, together_for_any), together_for_any) == "");
     }
 }

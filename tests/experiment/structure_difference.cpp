@@ -117,6 +117,18 @@ public:
     }
 };
 
+/// The same of whether there is any hit.
+class MixesUpAny final : public Wrapped {
+public:
+    using Wrapped::Wrapped;
+    std::vector<bool> occluded_of(std::span<const Ray> rays, Traversal& traversal) const override {
+        auto occluded_rays = Accelerator::occluded_of(rays, traversal);
+        std::rotate(occluded_rays.begin(), occluded_rays.begin() + (occluded_rays.size() > 1 ? 1 : 0),
+                    occluded_rays.end());
+        return occluded_rays;
+    }
+};
+
 template <class Structure>
 StructureMethod broken(const std::string& name) {
     return {name, "exact", [](const Scene& scene) { return std::make_unique<Structure>(scene); }};
@@ -260,6 +272,11 @@ TEST_CASE("rays asked together get answers of their own, or two of them show it"
     CHECK(primitives_in(difference.smallest.scene) == 1);
     CHECK(difference.smallest.rays.size() == 2);
     CHECK(difference.answers.found.starts_with("closest_of, ray 1"));
+
+    const auto of_any = found(broken<MixesUpAny>("mixes up any"));
+    CHECK(primitives_in(of_any.smallest.scene) == 1);
+    CHECK(of_any.smallest.rays.size() == 2);
+    CHECK(of_any.answers.found.starts_with("occluded_of, ray "));
 }
 
 TEST_CASE("what is found does not depend on the number of threads", "[threads]") {

@@ -84,6 +84,14 @@ public:
         return hits;
     }
 
+    /// Whether there is any hit of each of several rays, in their order: the answers of occluded().
+    virtual std::vector<bool> occluded_of(std::span<const Ray> rays, Traversal& traversal) const {
+        std::vector<bool> occluded_rays;
+        occluded_rays.reserve(rays.size());
+        for (const Ray& ray : rays) occluded_rays.push_back(occluded(ray, traversal));
+        return occluded_rays;
+    }
+
     virtual std::size_t bytes() const = 0;  // what is allocated beyond the scene's own arrays
 
     /// For diagrams: the structure itself, and the cells or nodes that closest() visits for a ray, in order. Both are

@@ -38,7 +38,7 @@ Hits nearest(const Accelerator& accelerator, std::span<const Ray> rays, Traversa
 Hits any(const Accelerator& accelerator, std::span<const Ray> rays, Traversal& traversal) {
     Hits hits;
     hits.reserve(rays.size());
-    for (const Ray& ray : rays) hits.push_back({accelerator.occluded(ray, traversal) ? 0 : -1, 0.0f});
+    for (const bool hit : accelerator.occluded_of(rays, traversal)) hits.push_back({hit ? 0 : -1, 0.0f});
     return hits;
 }
 

@@ -1,8 +1,8 @@
 // bench_scale FOLDER [LEVELS] [THREADS]: bumpy spheres from 5120 triangles on, four times as many each time (levels 4
 // to LEVELS, 10 unless said otherwise: 20 971 520), are written to FOLDER as PLY. Processes of their own read each, and
 // build bvh8, or Embree's tree, over it: bytes a triangle, mesh and all, at the end and at the peak, and nanoseconds of
-// a ray beside a + b log2 n, and beside a read of memory that waits for the one before it. Incoherent rays are asked
-// one after the other, and 1024 together (of Embree by rtcIntersect1M).
+// a ray beside a + b log2 n, and beside a read of memory that waits for the one before it. Rays are asked one after the
+// other, and 1024 together (of Embree by rtcIntersect1M and rtcOccluded1M).
 
 #include "chain_of_reads.h"
 #include "embree_ray.h"
@@ -11,6 +11,7 @@
 #include "bench/line_through.h"
 #include "bench/seconds_of.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/accelerator/trace_rays.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/experiment/measure/quantile.h"
@@ -47,9 +48,18 @@ struct Measured {
     double triangles, read, build;             // seconds
     double peak_of_reading, peak, at_the_end;  // bytes, of the whole process
     double tree;                               // bytes, by which the process grew
-    std::array<double, 4> nanoseconds;         // of a ray, by the names below
+    std::array<double, 6> nanoseconds;         // of a ray: one after the other and together, by the questions below
 };
-constexpr std::array names{"camera", "camera, together", "incoherent", "incoherent, together"};
+
+// Which of two kinds of rays are asked for what.
+struct Question {
+    std::size_t kind;
+    RayQuestion answer;
+    const char* name;
+};
+constexpr std::array questions{Question{0, RayQuestion::nearest, "camera"},
+                               Question{1, RayQuestion::nearest, "incoherent"},
+                               Question{1, RayQuestion::any, "incoherent, any hit"}};
 constexpr auto ours = "bvh8", embree = "embree";
 
 void write_ply(const Mesh& mesh, const std::string& path) {
@@ -87,13 +97,13 @@ std::array<Ray, 2> camera_and_incoherent(adversarial::Draw& draw, int i, int cou
 class Ours {
 public:
     Ours(const Scene& scene, int threads) : tree_(make_accelerator("bvh8", scene, {.threads = threads})) {}
-    int hits(const std::vector<Ray>& rays) {
-        int hits = 0;
-        for (const Ray& ray : rays) {
-            Traversal traversal;
-            hits += tree_->closest(ray, traversal).has_value();
-        }
-        return hits;
+    bool hits(const Ray& ray) {
+        Traversal traversal;
+        return tree_->closest(ray, traversal).has_value();
+    }
+    bool is_occluded(const Ray& ray) {
+        Traversal traversal;
+        return tree_->occluded(ray, traversal);
     }
 
     int hits_together(std::span<const Ray> rays) {
@@ -101,6 +111,10 @@ public:
         Traversal traversal;
         for (const auto& hit : tree_->closest_of(rays, traversal)) hits += hit.has_value();
         return hits;
+    }
+    int occluded_together(std::span<const Ray> rays) {
+        Traversal traversal;
+        return static_cast<int>(std::ranges::count(tree_->occluded_of(rays, traversal), true));
     }
 
 private:
@@ -122,16 +136,19 @@ public:
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
 
-    int hits(const std::vector<Ray>& rays) {
-        int hits = 0;
-        for (const Ray& ray : rays) {
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            RTCRayHit hit = asked(ray);
-            rtcIntersect1(scene_, &context, &hit);
-            hits += is_hit(hit);
-        }
-        return hits;
+    bool hits(const Ray& ray) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit hit = asked(ray);
+        rtcIntersect1(scene_, &context, &hit);
+        return is_hit(hit);
+    }
+    bool is_occluded(const Ray& ray) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRay asked = bench::in_embree(ray);
+        rtcOccluded1(scene_, &context, &asked);
+        return is_stopped(asked);
     }
 
     int hits_together(std::span<const Ray> rays) {
@@ -143,6 +160,15 @@ public:
         rtcIntersect1M(scene_, &context, all.data(), static_cast<unsigned>(all.size()), sizeof(RTCRayHit));
         return static_cast<int>(std::ranges::count_if(all, is_hit));
     }
+    int occluded_together(std::span<const Ray> rays) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        std::vector<RTCRay> all;
+        all.reserve(rays.size());
+        for (const Ray& ray : rays) all.push_back(bench::in_embree(ray));
+        rtcOccluded1M(scene_, &context, all.data(), static_cast<unsigned>(all.size()), sizeof(RTCRay));
+        return static_cast<int>(std::ranges::count_if(all, is_stopped));
+    }
 
 private:
     static RTCRayHit asked(const Ray& ray) {
@@ -151,6 +177,7 @@ private:
         return hit;
     }
     static bool is_hit(const RTCRayHit& hit) { return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID; }
+    static bool is_stopped(const RTCRay& ray) { return ray.tfar < 0; }
 
     RTCDevice device_;
     RTCScene scene_;
@@ -186,13 +213,21 @@ Measured measured(const std::string& path, int threads) {
             }));
         return 1e9 * median(times) / count;
     };
-    for (std::size_t kind = 0; kind < rays.size(); ++kind) {
-        of.nanoseconds[2 * kind] = time([&] { return tree->hits(rays[kind]); });
-        of.nanoseconds[2 * kind + 1] = time([&] {
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        const bool nearest = questions[i].answer == RayQuestion::nearest;
+        const std::span<const Ray> asked = rays[questions[i].kind];
+        of.nanoseconds[2 * i] = time([&] {
+            int hits = 0;
+            for (const Ray& ray : asked) hits += nearest ? tree->hits(ray) : tree->is_occluded(ray);
+            return hits;
+        });
+        of.nanoseconds[2 * i + 1] = time([&] {
             constexpr std::size_t at_once = 1024;
             int hits = 0;
-            for (std::size_t i = 0; i < count; i += at_once)
-                hits += tree->hits_together(std::span(rays[kind]).subspan(i, at_once));
+            for (std::size_t begin = 0; begin < count; begin += at_once) {
+                const auto some = asked.subspan(begin, at_once);
+                hits += nearest ? tree->hits_together(some) : tree->occluded_together(some);
+            }
             return hits;
         });
     }
@@ -234,9 +269,10 @@ int main(int count, char** words) {
     }
     std::filesystem::create_directories(first);
     std::map<const char*, std::vector<Measured>> all;
-    fmt::print("                                    | bytes a triangle,        at the    | ns a ray: {}\n"
-               "          triangles  read, s build, s | reading    peak     end |\n",
-               fmt::join(names, "; "));
+    fmt::print(
+        "                                    | bytes a triangle,        at the    | ns a ray, one by one and together:");
+    for (const Question& question : questions) fmt::print(" {};", question.name);
+    fmt::print("\n          triangles  read, s build, s | reading    peak     end |\n");
     for (int level = 4; level <= number(2, 10); ++level) {
         const std::string path = fmt::format("{}/bumpy_{}.ply", first, level);
         if (!std::filesystem::exists(path)) write_ply(bumpy_sphere(level), path);
@@ -252,14 +288,15 @@ int main(int count, char** words) {
     for (const Measured& of : all[ours]) fmt::print(" {:.0f}", bench::nanoseconds_of_a_read(of.tree));
     fmt::print("\n");
     for (const auto& [whose, measured] : all)
-        for (std::size_t kind = 0; kind < names.size(); ++kind) {
+        for (std::size_t kind = 0; kind < 2 * questions.size(); ++kind) {
             std::vector<double> x, y;
             for (const Measured& of : measured) {
                 x.push_back(std::log2(of.triangles));
                 y.push_back(of.nanoseconds[kind]);
             }
             const auto [a, b] = line_through(x, y);
-            fmt::print("{}, {}: {:.0f} + {:.1f} log2 n ns; measured over that:", whose, names[kind], a, b);
+            fmt::print("{}, {}{}: {:.0f} + {:.1f} log2 n ns; measured over that:", whose, questions[kind / 2].name,
+                       kind % 2 == 0 ? "" : ", together", a, b);
             for (std::size_t i = 0; i < x.size(); ++i) fmt::print(" {:.2f}", y[i] / (a + b * x[i]));
             fmt::print("\n");
         }

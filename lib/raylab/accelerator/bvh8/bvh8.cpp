@@ -16,9 +16,7 @@ std::optional<Hit> Bvh8::closest(const Ray& ray, Traversal& traversal) const {
 }
 
 std::vector<std::optional<Hit>> Bvh8::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
-    // So much of a tree's nodes, and of its leaves, stays in the caches.
-    constexpr std::size_t near_bytes = std::size_t{1} << 21;
-    return wait_for_memory(rays) ? closest_in_turns(rays, near_bytes, traversal)
+    return wait_for_memory(rays) ? closest_in_turns(rays, cached_bytes, traversal)
                                  : Accelerator::closest_of(rays, traversal);
 }
 
@@ -38,9 +36,9 @@ bool Bvh8::wait_for_memory(std::span<const Ray> rays) const {
 std::vector<std::optional<Hit>> Bvh8::closest_in_turns(std::span<const Ray> rays, std::size_t near_bytes,
                                                        Traversal& traversal) const {
     if (contents_.tree().nodes.empty()) return Accelerator::closest_of(rays, traversal);
-    NearestInTurns turns(contents_, rays, traversal);
+    AnswersInTurns<NearestLeaves> turns(contents_, rays, traversal);
     walks_.nearest_in_turns(contents_.tree(), near_bytes, turns, traversal);
-    return std::move(turns).hits();
+    return std::move(turns).answers();
 }
 
 bool Bvh8::occluded(const Ray& ray, Traversal& traversal) const {
@@ -48,6 +46,19 @@ bool Bvh8::occluded(const Ray& ray, Traversal& traversal) const {
     if (leaves.is_hit_at_once()) return true;
     walk(walks_.any, {ray, ray.range.max, contents_.number_left_by(ray)}, leaves, traversal);
     return leaves.is_hit();
+}
+
+std::vector<bool> Bvh8::occluded_of(std::span<const Ray> rays, Traversal& traversal) const {
+    return wait_for_memory(rays) ? occluded_in_turns(rays, cached_bytes, traversal)
+                                 : Accelerator::occluded_of(rays, traversal);
+}
+
+std::vector<bool> Bvh8::occluded_in_turns(std::span<const Ray> rays, std::size_t near_bytes,
+                                          Traversal& traversal) const {
+    if (contents_.tree().nodes.empty()) return Accelerator::occluded_of(rays, traversal);
+    AnswersInTurns<AnyLeaves> turns(contents_, rays, traversal);
+    walks_.any_in_turns(contents_.tree(), near_bytes, turns, traversal);
+    return std::move(turns).answers();
 }
 
 std::optional<Hit> Bvh8::closest_in_floats(const Ray& ray, Traversal& traversal) const {

@@ -18,6 +18,7 @@ public:
     /// Rays take turns where that pays.
     std::vector<std::optional<Hit>> closest_of(std::span<const Ray> rays, Traversal& traversal) const override;
     bool occluded(const Ray& ray, Traversal& traversal) const override;
+    std::vector<bool> occluded_of(std::span<const Ray> rays, Traversal& traversal) const override;
     std::size_t bytes() const override { return contents_.bytes(); }
     Outline outline() const override;
     std::vector<Visit> visits(const Ray& ray) const override;
@@ -26,15 +27,18 @@ public:
     /// compare the exact answer with it. It finds nothing for rays whose numbers exceed the limits of Bvh8Ray.
     std::optional<Hit> closest_in_floats(const Ray& ray, Traversal& traversal) const;
 
-    /// The nearest hit of each of several rays, of which eight are under way at once: one that has to wait for a node
-    /// or leaf, which all are that lie beyond the first `near_bytes` of their kind, lets the others go on.
+    /// The answers to several rays, of which eight are under way at once: one that has to wait for a node or leaf,
+    /// which all are that lie beyond the first `near_bytes` of their kind, lets the others go on.
     std::vector<std::optional<Hit>> closest_in_turns(std::span<const Ray> rays, std::size_t near_bytes,
                                                      Traversal& traversal) const;
+    std::vector<bool> occluded_in_turns(std::span<const Ray> rays, std::size_t near_bytes, Traversal& traversal) const;
 
 private:
     // Whether rays wait so long for memory that turns pay. In a tree that fits the caches none does, in one far larger
     // than these all do. Between, a ray finds there what the one before it has read, unless most begin far apart.
     bool wait_for_memory(std::span<const Ray> rays) const;
+    // So much of a tree's nodes, and of its leaves, stays in the caches.
+    static constexpr std::size_t cached_bytes = std::size_t{1} << 21;
 
     void walk(Bvh8Walks::Walk how, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const {
         if (!how(contents_.tree(), query, leaves, traversal))

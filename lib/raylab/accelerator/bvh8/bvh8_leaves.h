@@ -100,7 +100,7 @@ public:
     using PrimitiveLeaves::PrimitiveLeaves;
 
     double uncertain(Bvh8Child leaf, std::size_t place) override {
-        return test(leaf, place) ? hit_found(leaf, place) : double{ray_.range.max};
+        return test(leaf, place) ? hit_found(leaf, place) : end();
     }
 
     double hit_found(Bvh8Child leaf, std::size_t place) override { return stopped_by(number(leaf, place)); }
@@ -110,8 +110,10 @@ public:
             const std::size_t other = contents_.tree().others[i];
             if (hits_other(other)) return stopped_by(contents_.tree().triangle_count + other);
         }
-        return ray_.range.max;
+        return end();
     }
+
+    double end() const { return ray_.range.max; }
 
     bool is_hit() const { return hit_; }
 

@@ -95,6 +95,7 @@ HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& q
 }
 
 // The walk of a ray that takes turns with others.
+template <Bvh8Test test>
 class WalkInTurns {
 public:
     HWY_INLINE WalkInTurns(const Bvh8Nodes& tree, const Bvh8Turns::Asked& asked)
@@ -111,10 +112,9 @@ public:
     // Walks on to what has been prefetched but may still be on its way, or to the end: then false.
     HWY_INLINE bool go_on(const Bvh8Nodes& tree, std::size_t near_bytes, Traversal& traversal) {
         const auto is_far = [=](Bvh8Child child) HWY_ATTR { return child.prefetched_offset() >= near_bytes; };
-        next_ = walk_on<Bvh8Test::nearest>(tree, asked_.query, next_, ray_, rows_, waiting_, asked_.leaves, traversal,
-                                           is_far);
+        next_ = walk_on<test>(tree, asked_.query, next_, ray_, rows_, waiting_, asked_.leaves, traversal, is_far);
         if (!next_.is_none()) return true;
-        locate_nearest(tree, asked_.query, asked_.leaves);
+        if constexpr (test == Bvh8Test::nearest) locate_nearest(tree, asked_.query, asked_.leaves);
         return false;
     }
 
@@ -123,10 +123,41 @@ private:
     BoxRay boxes_;
     Bvh8Ray ray_;
     BoxRows rows_;
-    NearestFirst waiting_;
+    StackOf<test> waiting_;
     Bvh8Child next_ = Bvh8Child::node(0);
-    NearestFirst::Places places_;
+    typename StackOf<test>::Places places_;
 };
+
+template <Bvh8Test test>
+HWY_INLINE void walk_in_turns(const Bvh8Nodes& tree, std::size_t near_bytes, Bvh8Turns& turns, Traversal& traversal) {
+    using Walk = WalkInTurns<test>;
+    // (Not optional walks, whose functions are compiled for no instruction set in particular.)
+    struct Place {
+        alignas(Walk) std::array<std::byte, sizeof(Walk)> memory;
+        Walk* walk;
+    };
+    std::array<Place, Bvh8Turns::under_way> places;
+    // The next ray's walk, at a place, if there is one.
+    const auto begun = [&](std::size_t i) HWY_ATTR {
+        while (const Bvh8Turns::Asked* const asked = turns.next(i)) {
+            auto* const walk = new (places[i].memory.data()) Walk(tree, *asked);
+            if (walk->fits_floats()) return walk;
+            turns.exceeds_floats(i);
+        }
+        return static_cast<Walk*>(nullptr);
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].walk = begun(i);
+    for (bool are_under_way = true; are_under_way;) {
+        are_under_way = false;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!places[i].walk) continue;
+            are_under_way = true;
+            if (places[i].walk->go_on(tree, near_bytes, traversal)) continue;
+            turns.ended(i);
+            places[i].walk = begun(i);
+        }
+    }
+}
 
 bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
     return walk_if_it_fits_floats<Bvh8Test::nearest>(tree, query, leaves, traversal);
@@ -153,32 +184,11 @@ bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leave
 }
 
 void walk_nearest_in_turns(const Bvh8Nodes& tree, std::size_t near_bytes, Bvh8Turns& turns, Traversal& traversal) {
-    // (Not optional walks, whose functions are compiled for no instruction set in particular.)
-    struct Place {
-        alignas(WalkInTurns) std::array<std::byte, sizeof(WalkInTurns)> memory;
-        WalkInTurns* walk;
-    };
-    std::array<Place, Bvh8Turns::under_way> places;
-    // The next ray's walk, at a place, if there is one.
-    const auto begun = [&](std::size_t i) HWY_ATTR {
-        while (const Bvh8Turns::Asked* const asked = turns.next(i)) {
-            auto* const walk = new (places[i].memory.data()) WalkInTurns(tree, *asked);
-            if (walk->fits_floats()) return walk;
-            turns.exceeds_floats(i);
-        }
-        return static_cast<WalkInTurns*>(nullptr);
-    };
-    for (std::size_t i = 0; i < places.size(); ++i) places[i].walk = begun(i);
-    for (bool are_under_way = true; are_under_way;) {
-        are_under_way = false;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (!places[i].walk) continue;
-            are_under_way = true;
-            if (places[i].walk->go_on(tree, near_bytes, traversal)) continue;
-            turns.ended(i);
-            places[i].walk = begun(i);
-        }
-    }
+    walk_in_turns<Bvh8Test::nearest>(tree, near_bytes, turns, traversal);
+}
+
+void walk_any_in_turns(const Bvh8Nodes& tree, std::size_t near_bytes, Bvh8Turns& turns, Traversal& traversal) {
+    walk_in_turns<Bvh8Test::any>(tree, near_bytes, turns, traversal);
 }
 
 CompiledFaults walk_faults() { return faults_of_lanes(); }
@@ -196,14 +206,20 @@ HWY_EXPORT(walk_candidates);
 HWY_EXPORT(walk_any_candidate);
 HWY_EXPORT(walk_plain);
 HWY_EXPORT(walk_nearest_in_turns);
+HWY_EXPORT(walk_any_in_turns);
 HWY_EXPORT(walk_faults);
 
 Bvh8Walks best_bvh8_walks() {
     const std::size_t best = best_instruction_set();
-    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],          HWY_DISPATCH_TABLE(walk_any)[best],
-                          HWY_DISPATCH_TABLE(walk_nearest_told)[best],     HWY_DISPATCH_TABLE(walk_candidates)[best],
-                          HWY_DISPATCH_TABLE(walk_any_candidate)[best],    HWY_DISPATCH_TABLE(walk_plain)[best],
-                          HWY_DISPATCH_TABLE(walk_nearest_in_turns)[best], HWY_DISPATCH_TABLE(walk_faults)[best]};
+    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],
+                          HWY_DISPATCH_TABLE(walk_any)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_told)[best],
+                          HWY_DISPATCH_TABLE(walk_candidates)[best],
+                          HWY_DISPATCH_TABLE(walk_any_candidate)[best],
+                          HWY_DISPATCH_TABLE(walk_plain)[best],
+                          HWY_DISPATCH_TABLE(walk_nearest_in_turns)[best],
+                          HWY_DISPATCH_TABLE(walk_any_in_turns)[best],
+                          HWY_DISPATCH_TABLE(walk_faults)[best]};
     assert(walks.faults() == CompiledFaults{} && "bvh8_walk.cpp is compiled with cmake/flags.cmake's flags");
     return walks;
 }

@@ -57,6 +57,8 @@ bool right(const std::optional<Hit>& hit, const std::optional<Truth>& truth) {
     return std::isinf(t) || truth->t.error_in_ulp(t) <= 1;
 }
 
+std::string yes_or_no(bool answer) { return answer ? "yes" : "no"; }
+
 }  // namespace
 
 std::string words(const std::optional<Hit>& hit) {
@@ -70,22 +72,30 @@ std::optional<Disagreement> StructureCaller::ask(const Ray& ray, const std::opti
     if (!same(expected, found)) return Disagreement{"closest: " + words(expected), "closest: " + words(found)};
     const bool occluded = structure_.occluded(ray, feeling_);
     if (occluded == expected.has_value()) return std::nullopt;
-    return Disagreement{std::string("occluded: ") + (expected ? "yes" : "no"),
-                        std::string("occluded: ") + (occluded ? "yes" : "no")};
+    return Disagreement{"occluded: " + yes_or_no(expected.has_value()), "occluded: " + yes_or_no(occluded)};
 }
 
 std::optional<TogetherDisagreement> disagreement_together(const Accelerator& structure, std::span<const Ray> rays,
                                                           std::span<const std::optional<Hit>> expected) {
     Traversal traversal;
     const auto found = structure.closest_of(rays, traversal);
-    if (found.size() != rays.size())
-        return TogetherDisagreement{0,
-                                    {fmt::format("{} answers", rays.size()), fmt::format("{} answers", found.size())}};
-    for (std::size_t i = 0; i < rays.size(); ++i)
+    const auto occluded = structure.occluded_of(rays, traversal);
+    for (const std::size_t answers : {found.size(), occluded.size()})
+        if (answers != rays.size())
+            return TogetherDisagreement{0,
+                                        {fmt::format("{} answers", rays.size()), fmt::format("{} answers", answers)}};
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto of_ray = [i](const std::string& call, const std::string& answer) {
+            return fmt::format("{}, ray {}: {}", call, i, answer);
+        };
         if (!same(expected[i], found[i]))
+            return TogetherDisagreement{
+                i, {of_ray("closest_of", words(expected[i])), of_ray("closest_of", words(found[i]))}};
+        if (occluded[i] != expected[i].has_value())
             return TogetherDisagreement{i,
-                                        {fmt::format("closest_of, ray {}: {}", i, words(expected[i])),
-                                         fmt::format("closest_of, ray {}: {}", i, words(found[i]))}};
+                                        {of_ray("occluded_of", yes_or_no(expected[i].has_value())),
+                                         of_ray("occluded_of", yes_or_no(occluded[i]))}};
+    }
     return std::nullopt;
 }
 

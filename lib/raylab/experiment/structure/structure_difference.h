@@ -29,7 +29,7 @@ struct Disagreement {
 using CaseJudge = std::function<std::optional<Disagreement>(const StructureCase&)>;
 
 /// Compares a structure with the exact list, for the last ray of a case: the same primitive, the same bits of t, u and
-/// v, and occluded() where there is a hit; and closest_of() for all its rays.
+/// v, and occluded() where there is a hit; and closest_of() and occluded_of() for all its rays.
 CaseJudge judge_by_list(const StructureMethod& structure);
 
 /// Compares the list with the oracle: the same primitive, and t within one float.
@@ -51,7 +51,7 @@ private:
     Traversal seeing_, feeling_;
 };
 
-/// A ray to which closest_of() gives another answer than expected.
+/// A ray to which closest_of() or occluded_of() gives another answer than expected.
 struct TogetherDisagreement {
     std::size_t ray;
     Disagreement answers;

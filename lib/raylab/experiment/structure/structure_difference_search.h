@@ -25,14 +25,14 @@ struct DifferenceSearch {
     std::uint64_t rays = 1'000'000;  // every structure is asked about each, and so is the exact list
     // One ray out of this many of a small scene is also compared with the exact oracle.
     std::uint64_t oracle_every = 100;
-    std::size_t together = 64;  // this many rays of each scene are also passed to closest_of(): some packets
+    std::size_t together = 64;  // this many rays of each scene are also asked together: some packets
     std::uint64_t seed = 1;
     int threads = 0;         // 0: all cores; the results do not depend on it
     std::string label = {};  // of the progress bar; empty: none
 };
 
 /// The number of questions asked. Each ray is passed to closest() and occluded() of every structure, and some also to
-/// closest_of() or the oracle.
+/// closest_of(), occluded_of() or the oracle.
 struct DifferenceCount {
     std::uint64_t scenes = 0, rays = 0, hits = 0, together_rays = 0, oracle_rays = 0;
 
