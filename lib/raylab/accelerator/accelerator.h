@@ -53,7 +53,7 @@ struct Traversal : TestCounts {
     /// Whether the light's last blocker occludes this ray too, as `hits(number)` tells; if it does not, it is
     /// forgotten.
     template <class Hits>
-    bool stopped_again(const Hits& hits) {
+    [[gnu::always_inline]] bool stopped_again(const Hits& hits) {
         if (blockers.empty() || !blockers[light]) return false;
         if (hits(*blockers[light])) return true;
         blockers[light].reset();

@@ -117,8 +117,9 @@ public:
 
     bool is_hit() const { return hit_; }
 
-    /// Whether the ray hits what it need not be followed for: the light's last blocker, or something unbounded.
-    bool is_hit_at_once() {
+    /// Whether the ray hits what it need not be followed for: the light's last blocker, or something unbounded. (As a
+    /// function that is called it would take a fiftieth of a shadow ray's instructions.)
+    [[gnu::always_inline]] bool is_hit_at_once() {
         if (traversal_.stopped_again([&](std::size_t number) { return hits(number); })) return true;
         const Primitives& unbounded = contents_.unbounded();
         for (std::size_t i = 0; i < unbounded.size(); ++i)
