@@ -84,8 +84,8 @@ struct Bvh8Walks {
     /// triangles only, and for rays for which floats suffice.
     Walk plain;
 
-    /// The same of several rays. One that comes to a node or leaf beyond the first `near_bytes` of all nodes, or of all
-    /// leaves, has to wait for memory, and the next one goes on. The tree has nodes.
+    /// The nearest hits, or any, of several rays. One that comes to a node or leaf beyond the first `near_bytes` of all
+    /// nodes, or of all leaves, has to wait for memory, and the next one goes on. The tree has nodes.
     using WalkInTurns = void (*)(const Bvh8Nodes&, std::size_t near_bytes, Bvh8Turns&, Traversal&);
     WalkInTurns nearest_in_turns, any_in_turns;
 
