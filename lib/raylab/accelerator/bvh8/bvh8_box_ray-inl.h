@@ -67,20 +67,24 @@ public:
     /// is part of the displacement.
     HWY_INLINE BoxRay(const Ray& ray, const Bvh8Nodes& tree, float displacement) {
         const Axes o(&ray.origin.x), d(&ray.direction.x);
-        const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
-        fits_floats = ray.range.min >= 0 && is_moderate(o, d, tree);
         displacement = std::max(displacement, least_displacement) * spare;
-        if (still == 0) [[likely]] {
+        const bool starts_ahead = ray.range.min >= 0;
+        fits_floats = starts_ahead && is_moderate(o, d, tree);
+        if (fits_floats) [[likely]] {
             set(o, d, Axes(displacement));
-        } else {
-            fits_floats = fits_floats && still != 7;
+        } else if (starts_ahead) {
+            const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
+            if (still == 0 || still == 7) return;
             const Moving moving = moving_along(still, ray, tree, displacement);
-            set(o, Axes(moving.direction.data()), Axes(moving.displacement.data()));
+            const Axes moved(moving.direction.data());
+            fits_floats = is_moderate(o, moved, tree);
+            set(o, moved, Axes(moving.displacement.data()));
         }
     }
 
-    // Whether floats suffice: no coordinate beyond 2^39, each component of the direction between 2^-60 and 2^40 or zero
-    // but not all zero, no negative t. Then nothing overflows: areas are below 2^84, volumes below 2^126.
+    // Whether floats suffice: no coordinate beyond 2^39, each component of the direction, or what is taken for one that
+    // is zero, between 2^-60 and 2^40, no negative t. Then nothing overflows: areas are below 2^84, volumes below
+    // 2^126. Where they do not, nothing else is set.
     bool fits_floats;
 
     // Where in a node the planes of each axis begin that the ray meets first, and those that it meets last, in bytes.
@@ -103,11 +107,10 @@ private:
     static HWY_INLINE bool is_moderate(const Axes& o, const Axes& d, const Bvh8Nodes& tree) {
         return o.where(
                    [&](AxisLanes at, AxisLanes along) HWY_ATTR {
-                       const AxisLanes far = hn::Abs(at), steep = hn::Abs(along);
-                       const auto is_still = hn::Eq(along, hn::Zero(Axes::tag));
-                       return hn::And(hn::And(hn::Le(far, Axes::number(tree.farthest_origin)),
-                                              hn::Le(steep, Axes::number(steepest))),
-                                      hn::Or(is_still, hn::Ge(steep, Axes::number(flattest))));
+                       const AxisLanes steep = hn::Abs(along);
+                       return hn::And(
+                           hn::Le(hn::Abs(at), Axes::number(tree.farthest_origin)),
+                           hn::And(hn::Ge(steep, Axes::number(flattest)), hn::Le(steep, Axes::number(steepest))));
                    },
                    d) == 7;
     }

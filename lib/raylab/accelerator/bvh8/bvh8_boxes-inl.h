@@ -16,35 +16,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-// Where the planes of the first node stand that the ray meets first on each axis, and those that it meets last.
-struct BoxRows {
-    std::array<const std::byte*, 3> near, far;
-
-    HWY_INLINE BoxRows(const Bvh8Nodes& tree, const BoxRay& ray) {
-        const auto* nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
-#pragma GCC unroll 3
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            near[axis] = nodes + ray.rows->near[axis];
-            far[axis] = nodes + ray.rows->far[axis];
-            // (The compiler must not know that these begin alike: it would add their beginning to a node's place first,
-            // and a ray waits for that at every step.)
-            asm("" : "+r"(near[axis]));
-            asm("" : "+r"(far[axis]));
-        }
-    }
-};
-
-// The ray's numbers, broadcast to registers for tests against boxes, until the ray's end changes.
+// The ray's numbers, in registers for tests against boxes, until the ray's end changes.
 class BoxLanes {
 public:
-    HWY_INLINE BoxLanes(const BoxRay& ray, const BoxRows& rows, float start, float end)
-        : rows_(rows), start_(all(start)), end_(all(end)) {
+    HWY_INLINE BoxLanes(const Bvh8Nodes& tree, const BoxRay& ray, float start, float end)
+        : start_(all(start)), end_(all(end)) {
         // (The compiler must not know that these are the same each time: it would keep copies of whole vectors on the
         // stack, and a ray's first node waits for them.)
         const BoxRay* of = &ray;
         asm volatile("" : "+r"(of));
+        const auto* nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
 #pragma GCC unroll 3
         for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::byte *near = nodes + of->rows->near[axis], *far = nodes + of->rows->far[axis];
+            // (Nor that these begin alike: it would add their beginning to a node's place first, and a ray waits for
+            // that at every step.)
+            asm("" : "+r"(near));
+            asm("" : "+r"(far));
+            near_[axis] = near;
+            far_[axis] = far;
             inverse_[axis] = all(of->inverse[axis]);
             near_start_[axis] = all(of->near_start[axis]);
             far_start_[axis] = all(of->far_start[axis]);
@@ -58,10 +48,10 @@ public:
         std::uint32_t hit_found = 0;
         for (std::size_t i = 0; i < bvh8_width; i += lanes) {
             const auto in = [&](std::size_t axis) HWY_ATTR {
-                return BoxRay::t_at(hn::Load(lanes_tag, row(rows_.near[axis]) + i), near_start_[axis], inverse_[axis]);
+                return BoxRay::t_at(hn::Load(lanes_tag, row(near_[axis]) + i), near_start_[axis], inverse_[axis]);
             };
             const auto out = [&](std::size_t axis) HWY_ATTR {
-                return BoxRay::t_at(hn::Load(lanes_tag, row(rows_.far[axis]) + i), far_start_[axis], inverse_[axis]);
+                return BoxRay::t_at(hn::Load(lanes_tag, row(far_[axis]) + i), far_start_[axis], inverse_[axis]);
             };
             const Floats entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start_));
             const Floats exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), end_));
@@ -80,7 +70,8 @@ private:
         BoxRay::slack + 1, BoxRay::slack + 1, BoxRay::slack + 1, BoxRay::slack + 1};
     static_assert(std::size(beyond_slack) == bvh8_width);
 
-    const BoxRows& rows_;
+    // Where the planes of the first node stand that the ray meets first on each axis, and those that it meets last.
+    const std::byte *near_[3], *far_[3];
     Floats near_start_[3], far_start_[3], inverse_[3], start_, end_;
 };
 

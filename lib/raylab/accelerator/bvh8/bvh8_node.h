@@ -47,11 +47,21 @@ public:
     std::size_t node_offset() const { return std::size_t{bits_} * unit_bytes; }
     /// Of a leaf of triangles: where its first line begins, in bytes after the first of all.
     std::size_t line_offset() const { return std::size_t{bits_ & (others_bit - leaf_units)} * unit_bytes; }
-    /// Nodes are of kind 0, leaves of kind 1, and this is in the first line of one, in bytes after the first of its
-    /// kind. The kind is a number to look up with, because GCC makes a branch of a choice, and nodes and leaves
-    /// alternate unpredictably. (Only for prefetching: it is another place in a tree of more than 8 GiB of nodes.)
-    std::size_t prefetched_kind() const { return bits_ >> 31; }
-    std::size_t prefetched_offset() const { return low_bits() * unit_bytes; }
+    /// Of a node or a leaf of triangles: a place in its first line, in bytes after the first one of its kind.
+    std::size_t offset() const { return low_bits() * unit_bytes; }
+
+    /// By the upper two bits of a child, the address to which all its bits are added as units. (They are looked up,
+    /// because GCC makes a branch of "a node or a leaf?", which alternate unpredictably; and no bits are masked, which
+    /// would take three instructions for each child that a ray hits.)
+    using Addresses = std::array<std::uintptr_t, 4>;
+    static Addresses addresses(const void* nodes, const void* lines) {
+        const auto before = [](const void* first, std::uint32_t bits) {
+            return reinterpret_cast<std::uintptr_t>(first) - std::uintptr_t{bits} * unit_bytes;
+        };
+        return {before(nodes, 0), before(nodes, 0), before(lines, leaf_bit), before(lines, leaf_bit | others_bit)};
+    }
+    /// The address of offset(). Of a leaf of others it is none.
+    std::uintptr_t address(const Addresses& of) const { return of[bits_ >> 30] + std::uintptr_t{bits_} * unit_bytes; }
 
     /// Where there is no child: the root is nobody's.
     bool is_root() const { return bits_ == 0; }

@@ -28,10 +28,8 @@ public:
     Waiting() = default;
     /// Nothing, which a ray enters before its end wherever that is: as a signed integer its entry is the least of all.
     static HWY_INLINE Waiting nothing() { return Waiting(-0.0f, Bvh8Child::none()); }
-    HWY_INLINE Waiting(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
-        *this = Waiting(entries[i], node.children[i]);
-    }
+    HWY_INLINE Waiting(float entry, Bvh8Child child)
+        : key_(std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
     HWY_INLINE Bvh8Child child() const { return std::bit_cast<Bvh8Child>(static_cast<std::uint32_t>(key_)); }
     /// Whether it is entered after a t, given as its bits.
     HWY_INLINE bool is_entered_after(std::int32_t latest) const {
@@ -48,8 +46,6 @@ public:
     }
 
 private:
-    HWY_INLINE Waiting(float entry, Bvh8Child child)
-        : key_(std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
     std::uint64_t key_;
 };
 
@@ -57,15 +53,14 @@ private:
 class Prefetcher {
 public:
     HWY_INLINE explicit Prefetcher(const Bvh8Nodes& tree)
-        : starts_{reinterpret_cast<const char*>(tree.nodes.data()), reinterpret_cast<const char*>(tree.leaves.data())} {
-    }
+        : addresses_(Bvh8Child::addresses(tree.nodes.data(), tree.leaves.data())) {}
     HWY_INLINE void prefetch(Bvh8Child child) const {
-        const char* at = starts_[child.prefetched_kind()] + child.prefetched_offset();
+        const auto* const at = reinterpret_cast<const char*>(child.address(addresses_));
         for (std::size_t line = 0; line < 4; ++line) hwy::Prefetch(at + 64 * line);
     }
 
 private:
-    std::array<const char*, 2> starts_;
+    Bvh8Child::Addresses addresses_;
 };
 
 // The children that wait to be visited, the nearest on top, and below all of them none. (Their places are an array of
@@ -81,17 +76,22 @@ public:
     HWY_INLINE Bvh8Child pop(std::int32_t latest_entry) {
         do --top_;
         while (top_->is_entered_after(latest_entry));
-        return top_->child();
+        // (Read anew, as the four bytes it is: taken out of the eight that were compared, every node's name would be
+        // extended to an address again.)
+        const Waiting* nearest = top_;
+        asm("" : "+r"(nearest));
+        return nearest->child();
     }
 
     // Pushes the children that the ray hits (at least one), farthest first, and returns the nearest instead of pushing
     // it.
     HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
         // Mostly one child is hit. Its place is then all that the next step waits for, not when it is entered.
-        const Bvh8Child only = node.children[static_cast<std::size_t>(std::countr_zero(hit_found))];
+        const auto first = static_cast<std::size_t>(std::countr_zero(hit_found));
+        const Bvh8Child only = node.children[first];
         prefetcher_.prefetch(only);
         if ((hit_found & (hit_found - 1)) == 0) return only;
-        Waiting a(node, entries, hit_found);
+        Waiting a(entries[first], only);
         hit_found &= hit_found - 1;
         Waiting b = hit_first(node, entries, hit_found);
         if ((hit_found &= hit_found - 1) == 0) {
@@ -113,27 +113,28 @@ public:
             push(b);
             return a.child();
         }
-        Waiting* const first = top_;
+        Waiting* const lowest = top_;
         push(c);
         push(b);
         push(a);
-        for (; hit_found != 0; hit_found &= hit_found - 1) insert(first, hit_first(node, entries, hit_found));
+        for (; hit_found != 0; hit_found &= hit_found - 1) insert(lowest, hit_first(node, entries, hit_found));
         return (--top_)->child();
     }
 
 private:
     // The first child that is hit. Its memory is prefetched while the others are examined and sorted.
     HWY_INLINE Waiting hit_first(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) const {
-        const Waiting one(node, entries, hit_found);
-        prefetcher_.prefetch(one.child());
-        return one;
+        const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
+        const Bvh8Child child = node.children[i];
+        prefetcher_.prefetch(child);
+        return Waiting(entries[i], child);
     }
 
     HWY_INLINE void push(Waiting one) { *top_++ = one; }
 
-    HWY_INLINE void insert(Waiting* first, Waiting one) {
+    HWY_INLINE void insert(Waiting* lowest, Waiting one) {
         Waiting* at = top_++;
-        for (; at != first && *(at - 1) < one; --at) *at = *(at - 1);
+        for (; at != lowest && *(at - 1) < one; --at) *at = *(at - 1);
         *at = one;
     }
 

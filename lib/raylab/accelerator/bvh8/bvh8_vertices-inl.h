@@ -52,8 +52,11 @@ private:
         return Floats{_mm256_permutex2var_ps(first.raw, places.raw, second.raw)};
 #elif HWY_TARGET == HWY_AVX2  // Its lookup asks three bits, its choice the sign, where the fourth is put.
         const __m256 chosen = _mm256_castsi256_ps(hn::ShiftLeft<28>(places).raw);
-        return Floats{_mm256_blendv_ps(_mm256_permutevar8x32_ps(first.raw, places.raw),
-                                       _mm256_permutevar8x32_ps(second.raw, places.raw), chosen)};
+        const __m256 of_first = _mm256_permutevar8x32_ps(first.raw, places.raw),
+                     of_second = _mm256_permutevar8x32_ps(second.raw, places.raw);
+        __m256 found;  // (GCC would compare the signs with zero first, for the function of the same name.)
+        asm("vblendvps %3, %2, %1, %0" : "=x"(found) : "x"(of_first), "x"(of_second), "x"(chosen));
+        return Floats{found};
 #else
         const Places lane = hn::And(places, hn::Set(places_tag, 15));
         return hn::IfThenElse(is_beyond(lane, 7), in_one(second, lane), in_one(first, lane));

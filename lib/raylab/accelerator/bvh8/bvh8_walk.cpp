@@ -33,8 +33,7 @@ using StackOf = std::conditional_t<any_will_do(test), InOrder, NearestFirst>;
 // Walks on from a node or leaf to the next one that is_far(), which is returned, or to the end: none.
 template <Bvh8Test test, class IsFar>
 HWY_INLINE Bvh8Child walk_on(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Child next, Bvh8Ray& ray,
-                             const BoxRows& rows, StackOf<test>& waiting, Bvh8Leaves& leaves, Traversal& traversal,
-                             const IsFar& is_far) {
+                             StackOf<test>& waiting, Bvh8Leaves& leaves, Traversal& traversal, const IsFar& is_far) {
     alignas(32) std::array<float, bvh8_width> entries;
     const auto* const nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
     std::uint64_t steps = 0, triangles = 0;
@@ -44,7 +43,7 @@ HWY_INLINE Bvh8Child walk_on(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8
     do {
         // A loop of its own, so that the ray's numbers stay in registers: where there are 32, that saves 3 to 4 %.
         if (next.is_node()) {
-            const BoxLanes boxes(ray.boxes, rows, ray.start, ray.end);
+            const BoxLanes boxes(tree, ray.boxes, ray.start, ray.end);
             const std::int32_t latest_entry = ray.latest_entry();
             do {
                 come_to(next);
@@ -83,12 +82,13 @@ HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& q
     // Constants, where the ray itself is meant, so that they cost nothing.
     const float displacement = is_of_candidates(test) ? query.displacement : 0;
     const BoxRay boxes(query.ray, tree, displacement);
+    if (!boxes.fits_floats) [[unlikely]]
+        return false;
+    if (tree.nodes.empty()) return true;
     Bvh8Ray ray(query.ray, boxes, query.end);
-    if (!boxes.fits_floats || tree.nodes.empty()) return boxes.fits_floats;
     typename StackOf<test>::Places places;
     StackOf<test> waiting(tree, places);
-    const BoxRows rows(tree, boxes);
-    walk_on<test>(tree, query, Bvh8Child::node(0), ray, rows, waiting, leaves, traversal,
+    walk_on<test>(tree, query, Bvh8Child::node(0), ray, waiting, leaves, traversal,
                   [](Bvh8Child) HWY_ATTR { return false; });
     if constexpr (test == Bvh8Test::nearest || test == Bvh8Test::nearest_told) locate_nearest(tree, query, leaves);
     return true;
@@ -102,7 +102,6 @@ public:
         : asked_(asked),
           boxes_(asked.query.ray, tree, 0),
           ray_(asked.query.ray, boxes_, asked.query.end),
-          rows_(tree, boxes_),
           waiting_(tree, places_) {}
     WalkInTurns(const WalkInTurns&) = delete;  // its parts refer to each other
     WalkInTurns& operator=(const WalkInTurns&) = delete;
@@ -111,8 +110,8 @@ public:
 
     // Walks on to what has been prefetched but may still be on its way, or to the end: then false.
     HWY_INLINE bool go_on(const Bvh8Nodes& tree, std::size_t near_bytes, Traversal& traversal) {
-        const auto is_far = [=](Bvh8Child child) HWY_ATTR { return child.prefetched_offset() >= near_bytes; };
-        next_ = walk_on<test>(tree, asked_.query, next_, ray_, rows_, waiting_, asked_.leaves, traversal, is_far);
+        const auto is_far = [=](Bvh8Child child) HWY_ATTR { return child.offset() >= near_bytes; };
+        next_ = walk_on<test>(tree, asked_.query, next_, ray_, waiting_, asked_.leaves, traversal, is_far);
         if (!next_.is_none()) return true;
         if constexpr (test == Bvh8Test::nearest) locate_nearest(tree, asked_.query, asked_.leaves);
         return false;
@@ -122,7 +121,6 @@ private:
     const Bvh8Turns::Asked& asked_;
     BoxRay boxes_;
     Bvh8Ray ray_;
-    BoxRows rows_;
     StackOf<test> waiting_;
     Bvh8Child next_ = Bvh8Child::node(0);
     typename StackOf<test>::Places places_;

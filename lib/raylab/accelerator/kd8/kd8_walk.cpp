@@ -92,9 +92,11 @@ template <Bvh8Test test>
 HWY_INLINE bool walk_cells_if_it_fits_floats(const Kd8Cells& cells, const Bvh8Nodes& contents, const Bvh8Query& query,
                                              Bvh8Leaves& leaves, Traversal& traversal) {
     const BoxRay boxes(query.ray, contents, 0);
+    if (!boxes.fits_floats) [[unlikely]]
+        return false;
     Bvh8Ray ray(query.ray, boxes, query.end);
-    if (boxes.fits_floats) walk_cells<test>(cells, contents, ray, query, leaves, traversal);
-    return boxes.fits_floats;
+    walk_cells<test>(cells, contents, ray, query, leaves, traversal);
+    return true;
 }
 
 bool walk_cells_nearest(const Kd8Cells& cells, const Bvh8Nodes& contents, const Bvh8Query& query, Bvh8Leaves& leaves,
