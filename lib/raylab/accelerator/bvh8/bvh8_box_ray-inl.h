@@ -72,10 +72,8 @@ public:
         fits_floats = starts_ahead && is_moderate(o, d, tree);
         if (fits_floats) [[likely]] {
             set(o, d, Axes(displacement));
-        } else if (starts_ahead) {
-            const std::uint32_t still = d.where([](AxisLanes x) HWY_ATTR { return hn::Eq(x, hn::Zero(Axes::tag)); });
-            if (still == 0 || still == 7) return;
-            const Moving moving = moving_along(still, ray, tree, displacement);
+        } else if (starts_ahead) {  // it may stand still along an axis
+            const Moving moving = moving_along(ray, tree, displacement);
             const Axes moved(moving.direction.data());
             fits_floats = is_moderate(o, moved, tree);
             set(o, moved, Axes(moving.displacement.data()));
@@ -84,7 +82,7 @@ public:
 
     // Whether floats suffice: no coordinate beyond 2^39, each component of the direction, or what is taken for one that
     // is zero, between 2^-60 and 2^40, no negative t. Then nothing overflows: areas are below 2^84, volumes below
-    // 2^126. Where they do not, nothing else is set.
+    // 2^126. Where they do not, nothing else counts.
     bool fits_floats;
 
     // Where in a node the planes of each axis begin that the ray meets first, and those that it meets last, in bytes.
@@ -120,14 +118,13 @@ private:
     struct Moving {
         std::array<float, 4> direction, displacement;
     };
-    static HWY_NOINLINE Moving moving_along(std::uint32_t still, const Ray& ray, const Bvh8Nodes& tree,
-                                            float displacement) {
+    static HWY_NOINLINE Moving moving_along(const Ray& ray, const Bvh8Nodes& tree, float displacement) {
         const Vec3f &o = ray.origin, &d = ray.direction;
         const float steepest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
         const float farthest = std::max({tree.reach, std::abs(o.x), std::abs(o.y), std::abs(o.z)});
         Moving moving{{d.x, d.y, d.z, 1}, {displacement, displacement, displacement, 0}};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if ((still >> axis & 1) == 0) continue;
+            if (moving.direction[axis] != 0) continue;
             moving.direction[axis] = steepest * 0x1p-23f;
             moving.displacement[axis] += farthest * (0x1p-21f * spare);
         }
