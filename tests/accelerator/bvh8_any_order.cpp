@@ -34,7 +34,7 @@ std::uint64_t nodes_visited(const Bvh8Nodes& tree, const Box& box) {
         const Vec3f from = point(box.min.y);
         const Ray ray{.origin = from, .direction = point(box.max.y) - from, .range = {0, 1}};
         FirstHit leaves;
-        walks.any(tree, {ray, 1, Bvh8Query::leaves_none}, leaves, traversal);
+        walks.any_candidate(tree, {ray, 1, Bvh8Query::leaves_none}, leaves, traversal);
     }
     return traversal.steps;
 }

@@ -37,7 +37,7 @@ std::optional<Open> walked(const Bvh8Walks& walks, const Ray& ray, const Triangl
     const Bvh8Contents contents(scene);
     Open leaves;
     Traversal traversal;
-    if (!walks.nearest(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal))
+    if (!walks.nearest_told(contents.tree(), {ray, ray.range.max, Bvh8Query::leaves_none}, leaves, traversal))
         return std::nullopt;
     return leaves;
 }

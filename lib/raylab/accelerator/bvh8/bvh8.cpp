@@ -2,7 +2,6 @@
 
 #include "raylab/accelerator/bvh8/bvh8_leaves.h"
 #include "raylab/accelerator/bvh8/bvh8_turns.h"
-#include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,9 +9,7 @@
 namespace raylab {
 
 std::optional<Hit> Bvh8::closest(const Ray& ray, Traversal& traversal) const {
-    NearestLeaves leaves(contents_, ray, traversal);
-    walk(walks_.nearest, {ray, leaves.end(), contents_.number_left_by(ray)}, leaves, traversal);
-    return leaves.hit();
+    return walks_.closest(contents_, ray, traversal);
 }
 
 std::vector<std::optional<Hit>> Bvh8::closest_of(std::span<const Ray> rays, Traversal& traversal) const {
@@ -41,12 +38,7 @@ std::vector<std::optional<Hit>> Bvh8::closest_in_turns(std::span<const Ray> rays
     return std::move(turns).answers();
 }
 
-bool Bvh8::occluded(const Ray& ray, Traversal& traversal) const {
-    AnyLeaves leaves(contents_, ray, traversal);
-    if (leaves.is_hit_at_once()) return true;
-    walk(walks_.any, {ray, ray.range.max, contents_.number_left_by(ray)}, leaves, traversal);
-    return leaves.is_hit();
-}
+bool Bvh8::occluded(const Ray& ray, Traversal& traversal) const { return walks_.occluded(contents_, ray, traversal); }
 
 std::vector<bool> Bvh8::occluded_of(std::span<const Ray> rays, Traversal& traversal) const {
     return wait_for_memory(rays) ? occluded_in_turns(rays, cached_bytes, traversal)
@@ -62,10 +54,7 @@ std::vector<bool> Bvh8::occluded_in_turns(std::span<const Ray> rays, std::size_t
 }
 
 std::optional<Hit> Bvh8::closest_in_floats(const Ray& ray, Traversal& traversal) const {
-    if (contents_.tree().nodes.empty()) return std::nullopt;
-    NearestLeaves leaves(contents_, ray, traversal);
-    walks_.plain(contents_.tree(), {ray, ray.range.max, contents_.number_left_by(ray)}, leaves, traversal);
-    return leaves.hit();
+    return walks_.closest_in_floats(contents_, ray, traversal);
 }
 
 }  // namespace raylab

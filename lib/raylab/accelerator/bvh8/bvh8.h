@@ -3,7 +3,6 @@
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/bvh8/bvh8_contents.h"
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
-#include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
 namespace raylab {
 
@@ -39,11 +38,6 @@ private:
     bool wait_for_memory(std::span<const Ray> rays) const;
     // So much of a tree's nodes, and of its leaves, stays in the caches.
     static constexpr std::size_t cached_bytes = std::size_t{1} << 21;
-
-    void walk(Bvh8Walks::Walk how, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) const {
-        if (!how(contents_.tree(), query, leaves, traversal))
-            walk_in_doubles(contents_.tree(), query, leaves, traversal);
-    }
 
     Bvh8Contents contents_;
     Bvh8Walks walks_ = best_bvh8_walks();

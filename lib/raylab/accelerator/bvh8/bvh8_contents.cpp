@@ -113,11 +113,8 @@ std::size_t Bvh8Contents::bytes() const {
     return tree_.bytes() + others_.bytes() + unbounded_.bytes() + instances_.bytes() + runs_.capacity() * sizeof(Run);
 }
 
-Primitive Bvh8Contents::primitive(std::uint32_t number) const {
-    const Run& run = runs_.size() == 1 ? runs_[0] : *(std::ranges::upper_bound(runs_, number, {}, &Run::first) - 1);
-    const std::uint32_t in_run = number - run.first;
-    if (in_run < run.triangles_each) return {run.object, in_run};  // no division for a mesh
-    return {run.object + in_run / run.triangles_each, in_run % run.triangles_each};
+const Bvh8Contents::Run& Bvh8Contents::run_of(std::uint32_t number) const {
+    return *(std::ranges::upper_bound(runs_, number, {}, &Run::first) - 1);
 }
 
 std::uint32_t Bvh8Contents::number_of(Primitive name) const {

@@ -25,7 +25,13 @@ public:
 
     std::size_t bytes() const;
 
-    Primitive primitive(std::uint32_t number) const;  // of a triangle by its Bvh8Nodes::number()
+    /// The name of a triangle by its Bvh8Nodes::number().
+    Primitive primitive(std::uint32_t number) const {
+        const Run& run = runs_.size() == 1 ? runs_[0] : run_of(number);
+        const std::uint32_t in_run = number - run.first;
+        if (in_run < run.triangles_each) return {run.object, in_run};  // no division for a mesh
+        return {run.object + in_run / run.triangles_each, in_run % run.triangles_each};
+    }
     /// For Bvh8Query::leaving.
     std::uint32_t number_left_by(const Ray& ray) const {
         return ray.leaving == no_primitive ? Bvh8Query::leaves_none : number_of(ray.leaving);
@@ -51,6 +57,8 @@ private:
     struct Run {
         std::uint32_t first, object, triangles_each;
     };
+
+    const Run& run_of(std::uint32_t number) const;
 
     const Scene* scene_;
     std::vector<Run> runs_;

@@ -1,5 +1,6 @@
 #include "raylab/accelerator/bvh8/bvh8.h"
 #include "raylab/accelerator/bvh8/bvh8_visits.h"
+#include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
 namespace raylab {
 
@@ -60,7 +61,9 @@ Outline Bvh8::outline() const {
 std::vector<Visit> Bvh8::visits(const Ray& ray) const {
     Traversal traversal;
     Bvh8Visits leaves(contents_, boxes_of(contents_.tree()), ray, traversal);
-    walk(walks_.nearest_told, {ray, leaves.end(), contents_.number_left_by(ray)}, leaves, traversal);
+    const Bvh8Query query{ray, leaves.end(), contents_.number_left_by(ray)};
+    if (!walks_.nearest_told(contents_.tree(), query, leaves, traversal))
+        walk_in_doubles(contents_.tree(), query, leaves, traversal);
     return leaves.visits();
 }
 

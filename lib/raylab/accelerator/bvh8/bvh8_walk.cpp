@@ -1,6 +1,8 @@
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
 
 #include "raylab/accelerator/bvh8/bvh8_instruction_set.h"
+#include "raylab/accelerator/bvh8/bvh8_leaves.h"
+#include "raylab/accelerator/bvh8/bvh8_walk_in_doubles.h"
 
 #include <array>
 #include <cassert>
@@ -94,6 +96,12 @@ HWY_INLINE bool walk_if_it_fits_floats(const Bvh8Nodes& tree, const Bvh8Query& q
     return true;
 }
 
+template <Bvh8Test test>
+HWY_INLINE void walk(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
+    if (!walk_if_it_fits_floats<test>(tree, query, leaves, traversal)) [[unlikely]]
+        walk_in_doubles(tree, query, leaves, traversal);
+}
+
 // The walk of a ray that takes turns with others.
 template <Bvh8Test test>
 class WalkInTurns {
@@ -157,16 +165,30 @@ HWY_INLINE void walk_in_turns(const Bvh8Nodes& tree, std::size_t near_bytes, Bvh
     }
 }
 
-bool walk_nearest(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_it_fits_floats<Bvh8Test::nearest>(tree, query, leaves, traversal);
+// Whole answers, so that what the exact tests are given with each ray is compiled into the walk: 30 to 40 instructions
+// of a ray fewer than where they called it.
+std::optional<Hit> closest(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal) {
+    NearestLeaves leaves(contents, ray, traversal);
+    walk<Bvh8Test::nearest>(contents.tree(), {ray, leaves.end(), contents.number_left_by(ray)}, leaves, traversal);
+    return leaves.hit();
+}
+
+bool occluded(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal) {
+    AnyLeaves leaves(contents, ray, traversal);
+    if (leaves.is_hit_at_once()) return true;
+    walk<Bvh8Test::any>(contents.tree(), {ray, leaves.end(), contents.number_left_by(ray)}, leaves, traversal);
+    return leaves.is_hit();
+}
+
+std::optional<Hit> closest_in_floats(const Bvh8Contents& contents, const Ray& ray, Traversal& traversal) {
+    NearestLeaves leaves(contents, ray, traversal);
+    walk_if_it_fits_floats<Bvh8Test::plain>(contents.tree(), {ray, ray.range.max, contents.number_left_by(ray)}, leaves,
+                                            traversal);
+    return leaves.hit();
 }
 
 bool walk_nearest_told(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
     return walk_if_it_fits_floats<Bvh8Test::nearest_told>(tree, query, leaves, traversal);
-}
-
-bool walk_any(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_it_fits_floats<Bvh8Test::any>(tree, query, leaves, traversal);
 }
 
 bool walk_candidates(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
@@ -175,10 +197,6 @@ bool walk_candidates(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& 
 
 bool walk_any_candidate(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
     return walk_if_it_fits_floats<Bvh8Test::any_candidate>(tree, query, leaves, traversal);
-}
-
-bool walk_plain(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Leaves& leaves, Traversal& traversal) {
-    return walk_if_it_fits_floats<Bvh8Test::plain>(tree, query, leaves, traversal);
 }
 
 void walk_nearest_in_turns(const Bvh8Nodes& tree, std::size_t near_bytes, Bvh8Turns& turns, Traversal& traversal) {
@@ -197,24 +215,24 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace raylab {
 
-HWY_EXPORT(walk_nearest);
-HWY_EXPORT(walk_any);
+HWY_EXPORT(closest);
+HWY_EXPORT(occluded);
+HWY_EXPORT(closest_in_floats);
 HWY_EXPORT(walk_nearest_told);
 HWY_EXPORT(walk_candidates);
 HWY_EXPORT(walk_any_candidate);
-HWY_EXPORT(walk_plain);
 HWY_EXPORT(walk_nearest_in_turns);
 HWY_EXPORT(walk_any_in_turns);
 HWY_EXPORT(walk_faults);
 
 Bvh8Walks best_bvh8_walks() {
     const std::size_t best = best_instruction_set();
-    const Bvh8Walks walks{HWY_DISPATCH_TABLE(walk_nearest)[best],
-                          HWY_DISPATCH_TABLE(walk_any)[best],
+    const Bvh8Walks walks{HWY_DISPATCH_TABLE(closest)[best],
+                          HWY_DISPATCH_TABLE(occluded)[best],
+                          HWY_DISPATCH_TABLE(closest_in_floats)[best],
                           HWY_DISPATCH_TABLE(walk_nearest_told)[best],
                           HWY_DISPATCH_TABLE(walk_candidates)[best],
                           HWY_DISPATCH_TABLE(walk_any_candidate)[best],
-                          HWY_DISPATCH_TABLE(walk_plain)[best],
                           HWY_DISPATCH_TABLE(walk_nearest_in_turns)[best],
                           HWY_DISPATCH_TABLE(walk_any_in_turns)[best],
                           HWY_DISPATCH_TABLE(walk_faults)[best]};

@@ -11,6 +11,8 @@
 
 namespace raylab {
 
+class Bvh8Contents;
+
 /// A hit of the triangle at a place of a leaf, with bounds of its t.
 struct Bvh8Hit {
     Bvh8Child leaf;
@@ -69,20 +71,23 @@ public:
 
 /// Traversals through the boxes that a ray hits, the nearest child first, compiled for one instruction set.
 struct Bvh8Walks {
+    /// The answers to a ray, as of every Accelerator.
+    std::optional<Hit> (*closest)(const Bvh8Contents&, const Ray&, Traversal&);
+    bool (*occluded)(const Bvh8Contents&, const Ray&, Traversal&);
+
+    /// The nearest hit by Pluecker's test in floats alone, for comparison with the exact answer. It is for triangles
+    /// only, and finds nothing for rays for which floats do not suffice.
+    std::optional<Hit> (*closest_in_floats)(const Bvh8Contents&, const Ray&, Traversal&);
+
     /// False where floats do not suffice for the ray (it starts farther away than 2^39, its direction is too small or
     /// too large to divide by, or its range begins behind its origin); then nothing has been tested.
     using Walk = bool (*)(const Bvh8Nodes&, const Bvh8Query&, Bvh8Leaves&, Traversal&);
-    Walk nearest, any;
-    Walk nearest_told;  // reports each node and leaf that it visits
+    Walk nearest_told;  // the nearest hit's, which reports each node and leaf that it visits
 
     /// Decides nothing: passes on each triangle that a ray within the displacement may hit, at any t.
     Walk candidates;
     /// The same until any is hit; hit_found() is told of one that each ray within the displacement hits in its range.
     Walk any_candidate;
-
-    /// Pluecker's test in floats alone decides about triangles, for comparison with the exact answer. It is for
-    /// triangles only, and for rays for which floats suffice.
-    Walk plain;
 
     /// The nearest hits, or any, of several rays. One that comes to a node or leaf beyond the first `near_bytes` of all
     /// nodes, or of all leaves, has to wait for memory, and the next one goes on. The tree has nodes.
