@@ -1,5 +1,6 @@
 #include "catch.h"
 #include "raylab/accelerator/bvh8/bvh8_build.h"
+#include "raylab/accelerator/bvh8/bvh8_contents.h"
 #include "raylab/accelerator/bvh8/bvh8_walk.h"
 #include "raylab/experiment/adversarial/adversarial_scenes.h"
 #include "raylab/experiment/generate/uneven.h"
@@ -12,16 +13,8 @@ using namespace raylab;
 
 namespace {
 
-/// Ends the walk at the first triangle that is surely hit.
-class FirstHit final : public Bvh8Leaves {
-public:
-    double uncertain(Bvh8Child, std::size_t) override { return 1; }
-    double hit_found(Bvh8Child, std::size_t) override { return nothing_more; }
-    double others(Bvh8Child) override { return 1; }
-};
-
 /// How many nodes are visited by rays from the lower side of the box to its upper side.
-std::uint64_t nodes_visited(const Bvh8Nodes& tree, const Box& box) {
+std::uint64_t nodes_visited(const Bvh8Contents& contents, const Box& box) {
     const Bvh8Walks walks = best_bvh8_walks();
     adversarial::Draw draw(3);
     const auto point = [&](float height) {
@@ -33,8 +26,7 @@ std::uint64_t nodes_visited(const Bvh8Nodes& tree, const Box& box) {
     for (int i = 0; i < 2'000; ++i) {
         const Vec3f from = point(box.min.y);
         const Ray ray{.origin = from, .direction = point(box.max.y) - from, .range = {0, 1}};
-        FirstHit leaves;
-        walks.any_candidate(tree, {ray, 1, Bvh8Query::leaves_none}, leaves, traversal);
+        walks.occluded(contents, ray, traversal);
     }
     return traversal.steps;
 }
@@ -66,9 +58,12 @@ TEST_CASE("a ray that asks for any hit visits first what is large and cheap, and
     const Mesh mesh = hair(6);
     Box box;
     for (const Vec3f& vertex : mesh.vertices) box = unite(box, {vertex, vertex});
-    const Bvh8Nodes tree = build_bvh8_nodes(hair_and_wall(box, mesh), {});
-    const std::uint64_t ordered = nodes_visited(tree, box),
-                        turned = nodes_visited(with_children_turned_round(tree), box);
+    const Scene scene = adversarial::scene_of(hair_and_wall(box, mesh));
+    const Bvh8Contents turned_round(scene, Bvh8BuildOptions{},
+                                    [](const TriangleRuns& triangles, std::span<const Box> others) {
+                                        return with_children_turned_round(build_bvh8_nodes(triangles, others));
+                                    });
+    const std::uint64_t ordered = nodes_visited(Bvh8Contents(scene), box), turned = nodes_visited(turned_round, box);
     INFO(ordered << " nodes, and in the opposite order " << turned);
     CHECK(2 * ordered < turned);
 }
