@@ -32,7 +32,7 @@ const CommandLine tour_command_line{
     .program = "raylab tour",
     .about = "Runs every chapter and writes the lab book: DIR/index.html, to be read in any browser.",
     .options = {{"--out", "DIR", "the lab book's folder", "out"},
-                {"--quick", "", "fewer samples, smaller pictures: a minute or two"},
+                {"--quick", "", "fewer samples, smaller pictures: two to four minutes"},
                 threads_option(),
                 {"--seed", "S", "the seed of all random numbers", "1"},
                 {"--json", "FILE", "the result of each chapter as JSON; - is standard output"}}};

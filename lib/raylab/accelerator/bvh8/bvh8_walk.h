@@ -69,7 +69,8 @@ public:
     virtual void exceeds_floats(std::size_t place) = 0;  // instead: nothing has been tested
 };
 
-/// Traversals through the boxes that a ray hits, the nearest child first, compiled for one instruction set.
+/// Traversals through the boxes that a ray hits, the nearest child first, and the answers that they give, compiled for
+/// one instruction set.
 struct Bvh8Walks {
     /// The answers to a ray, as of every Accelerator.
     std::optional<Hit> (*closest)(const Bvh8Contents&, const Ray&, Traversal&);
