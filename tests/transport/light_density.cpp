@@ -23,14 +23,16 @@ std::optional<std::pair<Primitive, Vec3d>> first_hit(const Scene& scene, const V
     const Ray ray{convert<float>(from), convert<float>(direction)};
     Nearest nearest(ray);
     DecisionCounts decisions;
+    const auto target_of = [&](Primitive primitive) -> Target {
+        const Object& object = scene.objects[primitive.object];
+        return {&object.shape, primitive.part, &object.placement, object.sides};
+    };
     for (std::uint32_t number = 0; number < scene.objects.size(); ++number) {
-        const Object& object = scene.objects[number];
-        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&object.shape);
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&scene.objects[number].shape);
         const auto parts = static_cast<std::uint32_t>(mesh ? (*mesh)->faces.size() : 1);
         for (std::uint32_t part = 0; part < parts; ++part) {
-            const Target target{&object.shape, part, &object.placement, object.sides};
-            if (const auto found = intersect(ray, target, decisions))
-                nearest.offer(*found, target, {number, part}, decisions);
+            if (const auto found = intersect(ray, target_of({number, part}), decisions))
+                nearest.offer(*found, {number, part}, target_of, decisions);
         }
     }
     const auto hit = nearest.hit();

@@ -29,6 +29,12 @@ inline Target target_of(const Scene& scene, Primitive primitive) {
     return {&object.shape, primitive.part, &object.placement, object.sides, motion_of(scene, object)};
 }
 
+/// The same of any primitive of a scene: what Nearest asks for where it must.
+struct TargetsOf {
+    const Scene& scene;
+    Target operator()(Primitive primitive) const { return target_of(scene, primitive); }
+};
+
 /// The box about a primitive, of one that moves where it stands at a time of the rays; absent: unbounded.
 std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time);
 
@@ -70,12 +76,13 @@ public:
 
     /// Offers the hit of primitive i, if there is one, to `nearest`.
     void test(std::size_t i, const Ray& ray, Nearest& nearest, Traversal& traversal) const {
-        if (is_left_by(items_[i], ray)) return;
-        ++traversal.primitive_tests;
+        if (const auto found = candidate(i, ray, traversal)) offer(i, *found, nearest, traversal);
+    }
+
+    /// Offers a hit of primitive i that has been found.
+    void offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const {
         DecisionCounts decisions;
-        const Primitive primitive = items_[i].primitive;
-        if (const auto found = intersection(items_[i], ray, decisions))
-            nearest.offer(*found, target_of(*scene_, primitive), primitive, decisions);
+        nearest.offer(found, items_[i].primitive, TargetsOf{*scene_}, decisions);
         traversal.exact_decisions += decisions.exact;
     }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <ranges>
 
 namespace raylab {
 
@@ -105,6 +106,8 @@ std::vector<Primitive> Bvh8Contents::put_in_leaf_order(Sorted& sorted) {
         }
         other = place[other];
     }
+    if (std::ranges::equal(tree_.others, std::views::iota(std::size_t{0}, tree_.others.size())))
+        tree_.others = std::vector<std::uint32_t>();
     sorted.instances.put_in_order(instances);
     return shapes;
 }
@@ -134,7 +137,7 @@ std::vector<std::uint32_t> Bvh8Contents::places_in_scene(Bvh8Child leaf) const {
     for (std::size_t place = 0; place < leaf.count(); ++place) {
         if (leaf.kind() != Bvh8Child::Kind::others) {
             add(primitive(tree_.number(leaf, place)));
-        } else if (const std::size_t other = tree_.others[leaf.first() + place]; other < others_.size()) {
+        } else if (const std::size_t other = tree_.other(leaf.first() + place); other < others_.size()) {
             add(others_.primitive(other));
         } else {
             const std::uint32_t object = instances_.object(other - others_.size());

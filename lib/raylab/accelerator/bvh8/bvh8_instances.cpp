@@ -1,6 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_instances.h"
 
 #include "raylab/accelerator/bvh8/bvh8_build.h"
+#include "raylab/accelerator/primitives.h"
 #include "raylab/geometry/shape_parts.h"
 #include "raylab/number/enclosure.h"
 #include "raylab/number/next_float.h"
@@ -90,9 +91,11 @@ public:
         : instance_(instance), ray_(ray), traversal_(traversal), scene_(scene) {}
 
     /// The t of the walk at which it ends, once this triangle has been tested.
-    virtual double test(std::uint32_t face) = 0;
+    virtual double test(std::uint32_t face, const Triangle& triangle) = 0;
 
-    double uncertain(Bvh8Child leaf, std::size_t place) final { return test(instance_.tree->number(leaf, place)); }
+    double uncertain(Bvh8Child leaf, std::size_t place) final {
+        return test(tree().number(leaf, place), tree().triangle(leaf, place));
+    }
     double hit_found(Bvh8Child leaf, std::size_t place) override { return uncertain(leaf, place); }
     double others(Bvh8Child) final {
         assert(false && "the tree over a mesh holds triangles");
@@ -101,8 +104,9 @@ public:
 
     /// Tests every triangle, for rays whose numbers exceed floats.
     void test_all() {
-        for (std::uint32_t face = 0; face < mesh().faces.size(); ++face)
-            if (test(face) == nothing_more) return;
+        const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(scene_.objects[instance_.object].shape);
+        for (std::uint32_t face = 0; face < mesh.faces.size(); ++face)
+            if (test(face, mesh.triangle(face)) == nothing_more) return;
     }
 
     const Bvh8Nodes& tree() const { return *instance_.tree; }
@@ -110,26 +114,20 @@ public:
 protected:
     static constexpr double everything = std::numeric_limits<double>::infinity();  // the walk goes on as it was
 
-    std::optional<Candidate> hit(std::uint32_t face) const {
+    // (All that this needs is the instance's and the leaf's. A hundred thousand objects are not in the caches: each
+    // that is read would be waited for.)
+    std::optional<Candidate> hit(std::uint32_t face, const Triangle& triangle) const {
         if (name(face) == ray_.leaving) return std::nullopt;
         DecisionCounts decisions;
-        const auto found = intersect(ray_, mesh().triangle(face), object().placement, decisions, object().sides);
+        const auto found = intersect(ray_, triangle, instance_.map.placement(), decisions, instance_.sides);
         traversal_.exact_decisions += decisions.exact;
         return found;
     }
     Primitive name(std::uint32_t face) const { return {instance_.object, face}; }
 
-    // Read for triangles alone: of a hundred thousand instances a ray meets several whose triangles it misses, and each
-    // object read for nothing would be waited for.
-    const Object& object() const { return scene_.objects[instance_.object]; }
-
     const Instance& instance_;
     const Ray& ray_;
     Traversal& traversal_;
-
-private:
-    const Mesh& mesh() const { return *std::get<std::shared_ptr<const Mesh>>(object().shape); }
-
     const Scene& scene_;
 };
 
@@ -139,11 +137,11 @@ public:
                   Nearest& found, Traversal& traversal)
         : Leaves(scene, instance, ray, traversal), in_mesh_(in_mesh), found_(found) {}
 
-    double test(std::uint32_t face) override {
-        const auto found = hit(face);
+    double test(std::uint32_t face, const Triangle& triangle) override {
+        const auto found = hit(face, triangle);
         if (!found) return everything;
         DecisionCounts decisions;
-        found_.offer(*found, {&object().shape, face, &object().placement, object().sides}, name(face), decisions);
+        found_.offer(*found, name(face), TargetsOf{scene_}, decisions);
         traversal_.exact_decisions += decisions.exact;
         return in_mesh_.at_most(found_.limit());
     }
@@ -159,14 +157,14 @@ public:
 
     // What the walk is sure of needs no other test, unless a side is not seen or the triangle is left.
     double hit_found(Bvh8Child leaf, std::size_t place) override {
-        if (instance_.sides != Sides::both || name(instance_.tree->number(leaf, place)) == ray_.leaving)
+        if (instance_.sides != Sides::both || name(tree().number(leaf, place)) == ray_.leaving)
             return uncertain(leaf, place);
         is_hit = true;
         return nothing_more;
     }
 
-    double test(std::uint32_t face) override {
-        is_hit = is_hit || hit(face);
+    double test(std::uint32_t face, const Triangle& triangle) override {
+        is_hit = is_hit || hit(face, triangle);
         return is_hit ? nothing_more : everything;
     }
 

@@ -55,7 +55,7 @@ public:
     double others(Bvh8Child leaf) override {
         const std::size_t shapes = contents_.others().size();
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
-            const std::size_t other = contents_.tree().others[i];
+            const std::size_t other = contents_.tree().other(i);
             if (other < shapes)
                 contents_.others().test(other, ray_, asked_, traversal_);
             else
@@ -85,10 +85,8 @@ private:
     double nearest_end() const { return nearest ? std::min<double>(end(), nearest->latest) : end(); }
 
     void offer(const Candidate& candidate, std::uint32_t number) {
-        const Primitive primitive = contents_.primitive(number);
-        const Object& object = contents_.scene().objects[primitive.object];
         DecisionCounts decisions;
-        asked_.offer(candidate, {&object.shape, primitive.part, &object.placement, object.sides}, primitive, decisions);
+        asked_.offer(candidate, contents_.primitive(number), TargetsOf{contents_.scene()}, decisions);
         traversal_.exact_decisions += decisions.exact;
     }
 
@@ -108,7 +106,7 @@ public:
 
     double others(Bvh8Child leaf) override {
         for (std::size_t i = leaf.first(); i < leaf.first() + leaf.count(); ++i) {
-            const std::size_t other = contents_.tree().others[i];
+            const std::size_t other = contents_.tree().other(i);
             if (hits_other(other)) return stopped_by(contents_.tree().triangle_count + other);
         }
         return end();

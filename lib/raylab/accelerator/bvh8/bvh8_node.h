@@ -121,7 +121,8 @@ struct Bvh8Nodes {
     // Of a box that encloses the corners of all triangles; the fourth is not used.
     alignas(16) std::array<float, 4> center{}, half_size{};
     std::size_t triangle_count = 0;
-    // The other primitives of the leaves: places in the order in which they were given.
+    // The other primitives of the leaves: places in the order in which they were given. Empty: each is at its own
+    // place.
     std::vector<std::uint32_t> others;
 
     /// Says what boxes hold the corners of all triangles, and everything.
@@ -145,6 +146,9 @@ struct Bvh8Nodes {
 
     /// The number of the triangle at a place of a leaf, in the order in which they were given.
     std::uint32_t number(Bvh8Child leaf, std::size_t place) const { return vertices(leaf).number(place); }
+
+    /// The place of a leaf's i-th other primitive. (Of very many, each place that is read would be waited for.)
+    std::size_t other(std::size_t i) const { return others.empty() ? i : others[i]; }
 
     /// What is reserved beyond (of large trees) is never touched, so that the system gives no memory for it.
     std::size_t bytes() const {

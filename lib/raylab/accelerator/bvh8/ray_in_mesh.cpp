@@ -50,7 +50,7 @@ std::optional<WorldToMesh> WorldToMesh::inverse_of(const Affine& placement) {
     const std::array<Vec3<Enclosure>, 3> adjugate{cross(y, z), cross(z, x), cross(x, y)};
     const Enclosure determinant = dot(x, adjugate[0]);
     WorldToMesh map;
-    map.translation_ = convert<double>(placement.translation);
+    map.placement_ = placement;
     map.error_ = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::array row{adjugate[i].x / determinant, adjugate[i].y / determinant, adjugate[i].z / determinant};
@@ -72,7 +72,8 @@ std::optional<WorldToMesh> WorldToMesh::inverse_of(const Affine& placement) {
 std::optional<RayInMesh> WorldToMesh::carried(const Ray& ray, double end, const Box& bounds) const {
     const auto [from, to] = inside(ray, end, bounds);
     if (!(from <= to) || ray.direction == Vec3f(0)) return std::nullopt;
-    const Vec3d v = convert<double>(ray.origin) - translation_, d = convert<double>(ray.direction);
+    const Vec3d v = convert<double>(ray.origin) - convert<double>(placement_.translation),
+                d = convert<double>(ray.direction);
     const auto image = [&](const Vec3d& of) { return Vec3d{dot(rows_[0], of), dot(rows_[1], of), dot(rows_[2], of)}; };
     const Vec3d origin = image(v), direction = image(d), begin = origin + from * direction;
     const double steepest = largest_coordinate(direction), farthest = std::max(std::abs(from), std::abs(to));

@@ -31,10 +31,12 @@ public:
     /// infinite where the ray's numbers exceed floats.
     std::optional<RayInMesh> carried(const Ray& ray, double end, const Box& bounds) const;
 
+    const Affine& placement() const { return placement_; }  // whose inverse this is
+
 private:
     std::array<Vec3d, 3> rows_;
-    Vec3d translation_;  // of the placement
-    double error_;       // a coordinate of the image of v errs by at most error_ times the largest coordinate of v
+    Affine placement_;
+    double error_;  // a coordinate of the image of v errs by at most error_ times the largest coordinate of v
 };
 
 }  // namespace raylab

@@ -54,10 +54,7 @@ inline std::optional<Candidate> BoxedList::candidate(const ShapeRows& rows, std:
 
 inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
                              Traversal& traversal) const {
-    DecisionCounts decisions;
-    nearest.offer(found, primitives_.target(rows.numbers[place]), primitives_.primitive(rows.numbers[place]),
-                  decisions);
-    traversal.exact_decisions += decisions.exact;
+    primitives_.offer(rows.numbers[place], found, nearest, traversal);
 }
 
 inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestions::Entries& entries, const Ray& ray,

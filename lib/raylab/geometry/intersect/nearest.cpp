@@ -48,22 +48,19 @@ std::optional<Candidate> intersect(const Ray& ray, const Target& target, Decisio
 
 bool is_flat(const Shape& shape) { return as_mesh(shape) || is_planar(shape); }
 
+Sign sure_order(const Candidate& a, const Candidate& b) {
+    const double difference = a.t - b.t;
+    // The sum and the difference are rounded once each.
+    const double error = (a.t_error + b.t_error) * (1 + 4 * unit_roundoff<double>);
+    return std::abs(difference) > error ? sign(difference) : Sign::zero;
+}
+
 Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target& b, const Candidate& at_b,
            DecisionCounts& decisions) {
-    const double difference = at_a.t - at_b.t;
-    // The sum and the difference are rounded once each.
-    const double error = (at_a.t_error + at_b.t_error) * (1 + 4 * unit_roundoff<double>);
-    if (std::abs(difference) > error) return sign(difference);
+    if (const Sign sure = sure_order(at_a, at_b); sure != Sign::zero) return sure;
     ++decisions.exact;
     if (are_flush(a, b)) return Sign::zero;
     return compare(exact_t(ray, a), exact_t(ray, b));
-}
-
-bool Nearest::beats_best(const Candidate& candidate, const Target& target, Primitive primitive,
-                         DecisionCounts& decisions) const {
-    if (best_->primitive == primitive) return false;  // hit in two cells: the same hit
-    const Sign against = order(*ray_, target, candidate, best_->target, best_->candidate, decisions);
-    return against == Sign::negative || (against == Sign::zero && primitive < best_->primitive);
 }
 
 }  // namespace raylab

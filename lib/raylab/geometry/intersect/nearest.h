@@ -26,7 +26,10 @@ std::optional<Candidate> intersect(const Ray& ray, const Target& target, Decisio
 /// A flat primitive that a ray leaves is not hit again by it; a curved one may be.
 bool is_flat(const Shape& shape);
 
-/// Two hits of one ray: negative where a's exact t is the smaller one, zero where the two are equal.
+/// Two hits of one ray: negative where a's t is surely the smaller one, zero where their errors leave that open.
+Sign sure_order(const Candidate& a, const Candidate& b);
+
+/// The same decided exactly: zero where the two are equal.
 Sign order(const Ray& ray, const Target& a, const Candidate& at_a, const Target& b, const Candidate& at_b,
            DecisionCounts& decisions);
 
@@ -35,9 +38,12 @@ class Nearest {
 public:
     explicit Nearest(const Ray& ray) : ray_(&ray) {}
 
-    void offer(const Candidate& candidate, const Target& target, Primitive primitive, DecisionCounts& decisions) {
-        if (best_ && !beats_best(candidate, target, primitive, decisions)) return;
-        best_ = {candidate, target, primitive};
+    /// What `target_of(Primitive)` returns is asked for where t does not tell: of very many objects each would be
+    /// waited for, until it has come from memory.
+    template <class TargetOf>
+    void offer(const Candidate& candidate, Primitive primitive, const TargetOf& target_of, DecisionCounts& decisions) {
+        if (best_ && !beats_best(candidate, primitive, target_of, decisions)) return;
+        best_ = {candidate, primitive};
         limit_ = limit(candidate);
     }
 
@@ -55,12 +61,19 @@ public:
     }
 
 private:
-    bool beats_best(const Candidate& candidate, const Target& target, Primitive primitive,
-                    DecisionCounts& decisions) const;
+    template <class TargetOf>
+    bool beats_best(const Candidate& candidate, Primitive primitive, const TargetOf& target_of,
+                    DecisionCounts& decisions) const {
+        if (best_->primitive == primitive) return false;  // hit in two cells: the same hit
+        Sign against = sure_order(candidate, best_->candidate);
+        if (against == Sign::zero) [[unlikely]]
+            against =
+                order(*ray_, target_of(primitive), candidate, target_of(best_->primitive), best_->candidate, decisions);
+        return against == Sign::negative || (against == Sign::zero && primitive < best_->primitive);
+    }
 
     struct Best {
         Candidate candidate;
-        Target target;
         Primitive primitive;
     };
     const Ray* ray_;
