@@ -2,6 +2,7 @@
 
 #include "options.h"
 
+#include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/trace_rays.h"
 #include "raylab/geometry/ray.h"
 #include "raylab/scene/scene.h"
@@ -51,12 +52,15 @@ std::vector<std::string> missing_peers();
 /// The names of the peers of other libraries that this program was built with.
 std::vector<std::string> foreign_peers();
 
+/// A structure as a peer.
+std::unique_ptr<Peer> peer_of(std::unique_ptr<Accelerator> accelerator);
+
 /// One of raylab's structures, by the name that make_accelerator() knows.
 PeerKind raylab_peer(const std::string& accelerator);
 
 /// raylab's bvh8, with Pluecker's test in floats alone deciding, as fast peers do. The difference to
-/// the exact tree is the cost of exact decisions. It is for closest hits: it has no other query, and uses that one
-/// where any hit would do.
+/// the exact tree, which is asked by the same calls, is the cost of exact decisions. It is for closest hits: it has no
+/// other query, and uses that one where any hit would do.
 PeerKind plain_peer(const OtherPeer& peer);
 
 /// Embree's default test, or the one that is more accurate at edges (its robust flag); and its usual build, or its

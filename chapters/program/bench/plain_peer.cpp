@@ -6,24 +6,15 @@ namespace raylab::bench {
 
 namespace {
 
-class PlainPeer final : public Peer {
+// A structure as the exact ones are, so that both are asked by the same calls.
+class Bvh8InFloats final : public Accelerator {
 public:
-    explicit PlainPeer(const Scene& scene) : tree_(scene) {}
+    explicit Bvh8InFloats(const Scene& scene) : tree_(scene) {}
 
-    void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
-        Traversal traversal;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const auto hit = tree_.closest_in_floats(rays[i], traversal);
-            triangles[i] = hit ? static_cast<std::int32_t>(hit->primitive.part) : none;
-        }
+    std::optional<Hit> closest(const Ray& ray, Traversal& traversal) const override {
+        return tree_.closest_in_floats(ray, traversal);
     }
-
-    void any(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
-        Traversal traversal;
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            triangles[i] = tree_.closest_in_floats(rays[i], traversal) ? 0 : none;
-    }
-
+    bool occluded(const Ray& ray, Traversal& traversal) const override { return closest(ray, traversal).has_value(); }
     std::size_t bytes() const override { return tree_.bytes(); }
 
 private:
@@ -33,8 +24,9 @@ private:
 }  // namespace
 
 PeerKind plain_peer(const OtherPeer& peer) {
-    return {std::string(peer.name),
-            [](int) -> Build { return [](const Scene& scene) { return std::make_unique<PlainPeer>(scene); }; }};
+    return {std::string(peer.name), [](int) -> Build {
+                return [](const Scene& scene) { return peer_of(std::make_unique<Bvh8InFloats>(scene)); };
+            }};
 }
 
 }  // namespace raylab::bench

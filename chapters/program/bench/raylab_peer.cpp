@@ -1,6 +1,6 @@
 #include "peer.h"
 
-#include "raylab/accelerator/accelerator.h"
+#include <utility>
 
 namespace raylab::bench {
 
@@ -8,8 +8,7 @@ namespace {
 
 class RaylabPeer final : public Peer {
 public:
-    RaylabPeer(const std::string& name, const Scene& scene, int threads)
-        : accelerator_(make_accelerator(name, scene, {.threads = threads})) {}
+    explicit RaylabPeer(std::unique_ptr<Accelerator> accelerator) : accelerator_(std::move(accelerator)) {}
 
     void closest(std::span<const Ray> rays, std::span<std::int32_t> triangles) const override {
         Traversal traversal;
@@ -51,10 +50,14 @@ private:
 
 }  // namespace
 
+std::unique_ptr<Peer> peer_of(std::unique_ptr<Accelerator> accelerator) {
+    return std::make_unique<RaylabPeer>(std::move(accelerator));
+}
+
 PeerKind raylab_peer(const std::string& accelerator) {
     return {accelerator, [accelerator](int threads) -> Build {
                 return [accelerator, threads](const Scene& scene) {
-                    return std::make_unique<RaylabPeer>(accelerator, scene, threads);
+                    return peer_of(make_accelerator(accelerator, scene, {.threads = threads}));
                 };
             }};
 }
