@@ -1,7 +1,7 @@
 #include "picture_apart.h"
 
 #include "landlock.h"
-#include "limits.h"
+#include "process_limits.h"
 #include "submission.h"
 #include "system_calls.h"
 

@@ -1,7 +1,7 @@
 #include "launcher.h"
 #include "landlock.h"
 #include "level.h"
-#include "limits.h"
+#include "process_limits.h"
 #include "system_calls.h"
 
 #include "raylab/base/lone_users.h"

@@ -29,9 +29,11 @@ TEST_CASE("a vector on large pages keeps what it holds as it grows past a large 
 TEST_CASE("what is larger than a large page begins on one") {
     const LargeVector<char> large(std::size_t{5} << 20);
     CHECK(reinterpret_cast<std::uintptr_t>(large.data()) % large_page == 0);
+    CHECK(reinterpret_cast<std::uintptr_t>(large_array<char>(std::size_t{5} << 20).get()) % large_page == 0);
 }
 
 TEST_CASE("more elements than there are addresses are refused") {
     CHECK_THROWS_AS(LargePages<Line>().allocate(std::numeric_limits<std::size_t>::max() / 8),
                     std::bad_array_new_length);
+    CHECK_THROWS_AS(large_array<int>(std::numeric_limits<std::size_t>::max() / 3), std::bad_array_new_length);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 namespace raylab {
@@ -36,5 +38,22 @@ struct LargePages {
 
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
+
+struct FreeFromLargePages {
+    void operator()(void* memory) const { free_from_large_pages(memory); }
+};
+
+/// An array of trivial elements that are not set, for what is written before it is read. Each small page of it would
+/// be asked for by a fault, which takes 2 to 11 microseconds in a virtual machine.
+template <class T>
+using LargeArray = std::unique_ptr<T[], FreeFromLargePages>;
+
+template <class T>
+LargeArray<T> large_array(std::size_t count) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    T* const first = LargePages<T>().allocate(count);
+    std::uninitialized_default_construct_n(first, count);
+    return LargeArray<T>(first);
+}
 
 }  // namespace raylab

@@ -257,7 +257,7 @@ Measured measured_apart(const char* whose, const std::string& path, int threads)
 }  // namespace
 
 int main(int count, char** words) {
-    if (count < 2) {
+    if (count < 2 || words[1][0] == '-') {
         fmt::print(stderr, "bench_scale FOLDER [LEVELS] [THREADS]\n");
         return 2;
     }

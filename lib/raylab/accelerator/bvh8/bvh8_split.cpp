@@ -145,7 +145,7 @@ References::References(const TriangleRuns& triangles, std::span<const Box> other
     const std::size_t count = triangles.size() + others.size();
     const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
     const std::size_t room = std::min(wanted, Bvh8Child::max_primitives - count);
-    all_ = std::make_unique_for_overwrite<Reference[]>(count + room);
+    all_ = large_array<Reference>(count + room);
     const auto bounds = in_pieces<Bounds>({0, count}, threads, [&](std::size_t begin, std::size_t end) {
         Bounds piece;
         for (std::size_t i = begin; i < std::min(end, triangles.size()); ++i) {

@@ -4,10 +4,10 @@
 #include "raylab/accelerator/bvh8/bvh8_parts.h"
 #include "raylab/accelerator/bvh8/bvh8_plane_split.h"
 #include "raylab/accelerator/bvh8/triangle_runs.h"
+#include "raylab/base/large_pages.h"
 #include "raylab/base/thread_pool.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -70,7 +70,7 @@ private:
 
     const TriangleRuns& triangles_;
     std::size_t piece_size_;
-    std::unique_ptr<Reference[]> all_;
+    LargeArray<Reference> all_;
     ReferenceRange root_;
     Extent corners_;
     std::size_t walls_ = 0;  // so many of the first references

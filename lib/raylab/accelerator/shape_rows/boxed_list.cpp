@@ -52,17 +52,13 @@ inline std::optional<Candidate> BoxedList::candidate(const ShapeRows& rows, std:
     return Candidate{found.at.t, found.at.error};
 }
 
-inline void BoxedList::offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
-                             Traversal& traversal) const {
-    primitives_.offer(rows.numbers[place], found, nearest, traversal);
-}
-
 inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestions::Entries& entries, const Ray& ray,
                             Nearest& nearest, Traversal& traversal) const {
     while (open != 0) {
         const std::size_t place = entered_first(open, entries);
         if (entries[place] > nearest.limit()) break;
-        if (const auto found = candidate(rows, place, ray, traversal)) offer(rows, place, *found, nearest, traversal);
+        if (const auto found = candidate(rows, place, ray, traversal))
+            primitives_.offer(rows.numbers[place], *found, nearest, traversal);
         open &= ~(Places{1} << place);
     }
 }
@@ -89,7 +85,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
                                                                 const Ray& ray, const Met& first,
                                                                 Traversal& traversal) const {
     Nearest nearest(ray);
-    if (first.found) offer(rows_[0], first.place, *first.found, nearest, traversal);
+    if (first.found) primitives_.offer(rows_[0].numbers[first.place], *first.found, nearest, traversal);
     test(rows_[0], open, entries, ray, nearest, traversal);
     return nearest.hit();
 }

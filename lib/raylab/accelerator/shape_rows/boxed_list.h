@@ -28,8 +28,6 @@ private:
     };
     std::optional<Candidate> candidate(const ShapeRows& rows, std::size_t place, const Ray& ray,
                                        Traversal& traversal) const;
-    void offer(const ShapeRows& rows, std::size_t place, const Candidate& found, Nearest& nearest,
-               Traversal& traversal) const;
     void test(const ShapeRows& rows, std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,
               Nearest& nearest, Traversal& traversal) const;
     std::optional<Hit> closest_of_open(std::uint32_t open, const RowQuestions::Entries& entries, const Ray& ray,
