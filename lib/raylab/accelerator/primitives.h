@@ -29,11 +29,14 @@ inline Target target_of(const Scene& scene, Primitive primitive) {
     return {&object.shape, primitive.part, &object.placement, object.sides, motion_of(scene, object)};
 }
 
-/// The same of any primitive of a scene: what Nearest asks for where it must.
-struct TargetsOf {
-    const Scene& scene;
-    Target operator()(Primitive primitive) const { return target_of(scene, primitive); }
-};
+/// Offers a hit of a primitive that has been found to `nearest`.
+inline void offer(const Scene& scene, Primitive primitive, const Candidate& found, Nearest& nearest,
+                  Traversal& traversal) {
+    DecisionCounts decisions;
+    nearest.offer(
+        found, primitive, [&](Primitive tied) { return target_of(scene, tied); }, decisions);
+    traversal.exact_decisions += decisions.exact;
+}
 
 /// The box about a primitive, of one that moves where it stands at a time of the rays; absent: unbounded.
 std::optional<Box> bounds_at(const Scene& scene, Primitive primitive, float time);
@@ -81,9 +84,7 @@ public:
 
     /// Offers a hit of primitive i that has been found.
     void offer(std::size_t i, const Candidate& found, Nearest& nearest, Traversal& traversal) const {
-        DecisionCounts decisions;
-        nearest.offer(found, items_[i].primitive, TargetsOf{*scene_}, decisions);
-        traversal.exact_decisions += decisions.exact;
+        raylab::offer(*scene_, items_[i].primitive, found, nearest, traversal);
     }
 
     /// The hit of primitive i, which no other is compared with yet.

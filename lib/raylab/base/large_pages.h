@@ -48,6 +48,7 @@ struct FreeFromLargePages {
 template <class T>
 using LargeArray = std::unique_ptr<T[], FreeFromLargePages>;
 
+/// Throws bad_alloc, or bad_array_new_length where so many elements have no addresses.
 template <class T>
 LargeArray<T> large_array(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);

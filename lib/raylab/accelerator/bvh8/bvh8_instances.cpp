@@ -140,9 +140,7 @@ public:
     double test(std::uint32_t face, const Triangle& triangle) override {
         const auto found = hit(face, triangle);
         if (!found) return everything;
-        DecisionCounts decisions;
-        found_.offer(*found, name(face), TargetsOf{scene_}, decisions);
-        traversal_.exact_decisions += decisions.exact;
+        offer(scene_, name(face), *found, found_, traversal_);
         return in_mesh_.at_most(found_.limit());
     }
 

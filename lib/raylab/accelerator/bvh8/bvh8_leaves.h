@@ -85,9 +85,7 @@ private:
     double nearest_end() const { return nearest ? std::min<double>(end(), nearest->latest) : end(); }
 
     void offer(const Candidate& candidate, std::uint32_t number) {
-        DecisionCounts decisions;
-        asked_.offer(candidate, contents_.primitive(number), TargetsOf{contents_.scene()}, decisions);
-        traversal_.exact_decisions += decisions.exact;
+        raylab::offer(contents_.scene(), contents_.primitive(number), candidate, asked_, traversal_);
     }
 
     Nearest asked_;
