@@ -1,10 +1,23 @@
 #include "raylab/base/large_pages.h"
 
-#include "catch.h"
+#include "raylab/base/heap.h"
 
+#include "catch.h"
+#include "sanitized.h"
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <fstream>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <string>
+#include <vector>
 
 using namespace raylab;
 
@@ -13,6 +26,28 @@ namespace {
 struct alignas(64) Line {
     std::uint64_t number = 0;
 };
+
+bool has_large_pages() {
+    std::string word;
+    std::ifstream file("/sys/kernel/mm/transparent_hugepage/enabled");
+    while (file >> word)
+        if (word == "[always]" || word == "[madvise]") return true;
+    return false;
+}
+
+// Of the mapping in which an address lies.
+std::size_t kilobytes_on_large_pages(const void* at) {
+    const auto address = reinterpret_cast<std::uintptr_t>(at);
+    bool is_there = false;
+    std::ifstream file("/proc/self/smaps");
+    for (std::string line; std::getline(file, line);) {
+        std::uintptr_t begin = 0, end = 0;
+        std::size_t size = 0;
+        if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) == 2) is_there = begin <= address && address < end;
+        if (is_there && std::sscanf(line.c_str(), "AnonHugePages: %zu", &size) == 1) return size;
+    }
+    return 0;
+}
 
 }  // namespace
 
@@ -30,6 +65,49 @@ TEST_CASE("what is larger than a large page begins on one") {
     const LargeVector<char> large(std::size_t{5} << 20);
     CHECK(reinterpret_cast<std::uintptr_t>(large.data()) % large_page == 0);
     CHECK(reinterpret_cast<std::uintptr_t>(large_array<char>(std::size_t{5} << 20).get()) % large_page == 0);
+}
+
+TEST_CASE("the system gives large pages for what holds them") {
+    if (is_sanitized || !has_large_pages()) return;
+    for (const std::size_t size : {std::size_t{5} << 20, std::size_t{40} << 20}) {
+        const auto some = large_array<char>(size);
+        std::fill_n(some.get(), size, char{1});
+        CHECK(kilobytes_on_large_pages(some.get() + size / 2) >= 2048);
+    }
+}
+
+// (Hidden: the next one runs it in a process whose heap is as new.)
+TEST_CASE("of a new process", "[.heap]") {
+    keep_freed_memory();
+    put_heap_on_large_pages();
+    const std::vector<char> some(3'000'000, 'a');
+    CHECK(kilobytes_on_large_pages(some.data()) >= 2048);
+}
+
+TEST_CASE("a heap that is put on large pages gives what is allocated next a place there") {
+    if (is_sanitized || !has_large_pages()) return;
+    const pid_t child = fork();
+    if (child == 0) {
+        execl("/proc/self/exe", "test_base", "of a new process", "--out", "/dev/null", nullptr);
+        _exit(1);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
+}
+
+// (What is kept in between divides what was freed.)
+TEST_CASE("aligned blocks take the places of those of their size that were freed") {
+    if (is_sanitized) return;
+    std::vector<std::vector<char>> kept;
+    kept.reserve(2'000);
+    const std::size_t before = mallinfo2().arena;
+    for (int i = 0; i < 2'000; ++i) {
+        const LargeVector<Line> large(1'560), small(930);
+        const std::vector<char> other(2'000);
+        kept.emplace_back(100);
+    }
+    CHECK(mallinfo2().arena - before < 1'000'000);
 }
 
 TEST_CASE("more elements than there are addresses are refused") {

@@ -2,6 +2,7 @@
 
 #include "raylab/base/command_line.h"
 #include "raylab/base/error.h"
+#include "raylab/base/heap.h"
 #include "raylab/base/interrupt.h"
 #include "raylab/base/print.h"
 #include "raylab/base/printable.h"
@@ -28,6 +29,8 @@ ExitCode answer(const std::function<ExitCode()>& body) {
 
 int run_program(const std::function<ExitCode()>& body) {
     open_missing_standard_streams();
+    keep_freed_memory();
+    put_heap_on_large_pages();
     end_at_interrupt();
     try {
         const ExitCode code = answer(body);
