@@ -1,39 +1,14 @@
 #include "raylab/base/thread_pool.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
-#include <chrono>
-#include <utility>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
 
 namespace raylab {
 
 namespace {
-
-// Sends a new thread away from the processor of the one that starts it; once there, it may run anywhere. Linux itself
-// puts a new thread on an idle processor, but in a virtual machine it may take that for one which the host has taken
-// away (vcpu_is_preempted). Then both threads share one processor, 4 ms each in turn, until the load is balanced 10 to
-// 20 ms later.
-void send_elsewhere(std::jthread& thread) {
-    cpu_set_t all;
-    const int here = sched_getcpu();
-    if (here < 0 || sched_getaffinity(0, sizeof all, &all) != 0) return;
-    cpu_set_t others = all;
-    CPU_CLR(static_cast<std::size_t>(here), &others);
-    if (CPU_COUNT(&others) == 0) return;
-    pthread_setaffinity_np(thread.native_handle(), sizeof others, &others);
-    pthread_setaffinity_np(thread.native_handle(), sizeof all, &all);
-}
-
-// Waits awake at first: the next round begins soon, and a thread that sleeps takes as long to wake as to start. It does
-// not yield meanwhile: where other programs want the processor, that costs a slice of theirs, milliseconds each time.
-void wait_while(const std::atomic<int>& value, int old) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
-    while (value == old && std::chrono::steady_clock::now() < end) {
-    }
-    value.wait(old);
-}
 
 // The pieces [next, end).
 struct Share {
@@ -50,46 +25,29 @@ int thread_count(int asked) { return asked > 0 ? asked : core_count(); }
 ThreadPool::ThreadPool(int threads, std::size_t pieces) {
     const auto most = static_cast<int>(std::min(pieces, static_cast<std::size_t>(thread_count(threads))));
     try {
-        for (int i = 1; i < most; ++i) send_elsewhere(others_.emplace_back([this, i] { work_along(i); }));
+        for (int i = 1; i < most; ++i) others_.push_back(WorkerThread::hire());
         // There is no memory for another thread (std::bad_alloc) or its stack (std::system_error), so the existing ones
-        // do the work. Were it thrown on, they would be joined while they wait for a round that never comes.
+        // do the work.
     } catch (const std::exception&) {
     }
 }
 
-ThreadPool::~ThreadPool() {
-    work_ = nullptr;
-    ++round_;
-    round_.notify_all();
-}
-
 void ThreadPool::run(const std::function<void(int)>& work) {
     if (others_.empty()) return work(0);
-    work_ = &work;
-    busy_ = static_cast<int>(others_.size());
-    ++round_;
-    round_.notify_all();
-    do_work(0);
-    for (int busy = busy_; busy != 0; busy = busy_) wait_while(busy_, busy);
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-}
-
-void ThreadPool::work_along(int thread) {
-    for (int round = 0;; ++round) {
-        wait_while(round_, round);
-        if (!work_) return;
-        do_work(thread);
-        if (--busy_ == 0) busy_.notify_one();
-    }
-}
-
-void ThreadPool::do_work(int thread) {
-    try {
-        (*work_)(thread);
-    } catch (...) {
-        const std::lock_guard lock(guards_failure_);
-        if (!failure_) failure_ = std::current_exception();
-    }
+    std::mutex guards_first;
+    std::exception_ptr first;
+    const std::function<void(int)> guarded = [&](int thread) {
+        try {
+            work(thread);
+        } catch (...) {
+            const std::lock_guard lock(guards_first);
+            if (!first) first = std::current_exception();
+        }
+    };
+    for (int i = 1; i < size(); ++i) others_[static_cast<std::size_t>(i) - 1]->begin(guarded, i);
+    guarded(0);
+    for (const WorkerThread::Hired& other : others_) other->end();
+    if (first) std::rethrow_exception(first);
 }
 
 void ThreadPool::for_each_piece(std::size_t count, std::size_t grain,

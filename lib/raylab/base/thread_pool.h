@@ -1,11 +1,9 @@
 #pragma once
 
-#include <atomic>
+#include "raylab/base/worker_thread.h"
+
 #include <cstddef>
-#include <exception>
 #include <functional>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 namespace raylab {
@@ -16,8 +14,7 @@ int core_count();
 /// The number of threads that an option asks for: as many as it says, or for 0 all cores.
 int thread_count(int asked);
 
-/// Threads that work together: the one that makes the pool, and others that wait for it. To start a thread takes 40 to
-/// 80 microseconds, so work in many short rounds makes one pool for all of them.
+/// Threads that work together: the one that makes the pool, and others that wait for it.
 class ThreadPool {
 public:
     /// The calling thread alone.
@@ -25,15 +22,15 @@ public:
     /// As many threads as `threads` says (0: all cores), with the calling one; no more than there are pieces of work,
     /// and fewer if there is no memory for their stacks.
     ThreadPool(int threads, std::size_t pieces);
-    ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int size() const { return static_cast<int>(others_.size()) + 1; }
 
-    /// Calls work(0) in this thread and work(1) to work(size() - 1) in the others, at the same time. The first
-    /// exception that any of them throws is thrown here, when all are done. One round at a time, save in a pool of one
-    /// thread: that may be asked by several threads, each of which then works for itself.
+    /// Calls work(0) in this thread and, at the same time, work(1) to work(size() - 1) in the others: what there is to
+    /// do, they share. Another one that has not begun when this one is done is not waited for, nothing being left. The
+    /// first exception that any of them throws is thrown here, when all are done. One round at a time, save in a pool
+    /// of one thread: that may be asked by several threads, each of which then works for itself.
     void run(const std::function<void(int thread)>& work);
 
     /// Calls work(begin, end) for an index range [0, count), in pieces of at most `grain`. Each thread begins with a
@@ -48,15 +45,7 @@ public:
     void for_each_in_turn(std::size_t count, const std::function<void(std::size_t i)>& work);
 
 private:
-    void work_along(int thread);
-    void do_work(int thread);
-
-    const std::function<void(int)>* work_ = nullptr;  // none: the pool ends
-    std::atomic<int> round_ = 0;
-    std::atomic<int> busy_ = 0;  // so many others are not done with this round
-    std::mutex guards_failure_;
-    std::exception_ptr failure_;
-    std::vector<std::jthread> others_;
+    std::vector<WorkerThread::Hired> others_;
 };
 
 }  // namespace raylab
