@@ -1,6 +1,7 @@
 #include "raylab/accelerator/bvh8/bvh8_build.h"
 
 #include "raylab/accelerator/bvh8/bvh8_any_order.h"
+#include "raylab/accelerator/bvh8/bvh8_binary_top.h"
 #include "raylab/accelerator/bvh8/bvh8_collapse.h"
 #include "raylab/accelerator/bvh8/bvh8_leaf_writer.h"
 #include "raylab/base/error.h"
@@ -27,14 +28,14 @@ constexpr std::size_t max_subtree_size = 8192;
 
 // A part that becomes a tree of its own, and whose child that is.
 struct Subtree {
-    ReferenceRange part;
+    BinaryTop::Part part;
     int depth;
     std::size_t parent, place;
 };
 
 // Appends nodes and leaves to a tree.
 class Grower {
-    using Parts = std::vector<ReferenceRange>;
+    using Parts = std::vector<BinaryTop::Part>;
 
 public:
     Grower(const TriangleRuns& triangles, References& references, Bvh8Nodes& tree)
@@ -42,17 +43,18 @@ public:
 
     // Grows the top of a tree level by level, and returns the parts below it that are small enough, in the order of
     // their references.
-    std::vector<Subtree> grow_top(const Parts& parts_of_root, ThreadPool& threads) {
+    std::vector<Subtree> grow_top(ThreadPool& threads) {
         const std::size_t size = std::min(references_.piece_size(), max_subtree_size);
-        std::vector<Subtree> small, level = append_node(divided(parts_of_root, 1, threads), 1);
+        const BinaryTop top(references_, size, threads);
+        std::vector<Subtree> small, level = append_node(divided(top, top.roots(), 1), 1);
         while (!level.empty()) {
             const auto large =
-                std::ranges::partition(level, [&](const Subtree& one) { return one.part.size() <= size; });
+                std::ranges::partition(level, [&](const Subtree& one) { return one.part.range.size() <= size; });
             small.insert(small.end(), level.begin(), large.begin());
             level.erase(level.begin(), large.begin());
-            level = append_nodes(level, threads);
+            level = append_nodes(top, level, threads);
         }
-        std::ranges::sort(small, {}, [](const Subtree& one) { return one.part.begin; });
+        std::ranges::sort(small, {}, [](const Subtree& one) { return one.part.range.begin; });
         return small;
     }
 
@@ -62,16 +64,11 @@ public:
     }
 
 private:
-    // Appends the nodes of a level, and returns the parts of the next. Many parts are divided by one thread each, few
-    // by all threads, one after the other.
-    std::vector<Subtree> append_nodes(const std::vector<Subtree>& level, ThreadPool& threads) {
-        const bool many = level.size() >= 2 * static_cast<std::size_t>(threads.size());
-        ThreadPool alone;
-        ThreadPool& for_level = many ? threads : alone;
-        ThreadPool& for_part = many ? alone : threads;
+    // Appends the nodes of a level, and returns the parts of the next.
+    std::vector<Subtree> append_nodes(const BinaryTop& top, const std::vector<Subtree>& level, ThreadPool& threads) {
         std::vector<Parts> parts(level.size());
-        for_level.for_each_in_turn(
-            level.size(), [&](std::size_t i) { parts[i] = divided({level[i].part}, level[i].depth, for_part); });
+        threads.for_each_in_turn(level.size(),
+                                 [&](std::size_t i) { parts[i] = divided(top, {level[i].part}, level[i].depth); });
         std::vector<Subtree> next;
         for (std::size_t i = 0; i < level.size(); ++i) {
             tree_.nodes[level[i].parent].children[level[i].place] = Bvh8Child::node(tree_.nodes.size());
@@ -86,9 +83,10 @@ private:
         tree_.nodes.push_back(Bvh8Node::without_children());
         std::vector<Subtree> larger;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            set_box(tree_.nodes[index], i, parts[i].box);
-            if (references_.fit_in_leaf(parts[i]))
-                tree_.nodes[index].children[i] = leaf(parts[i]);
+            const ReferenceRange& range = parts[i].range;
+            set_box(tree_.nodes[index], i, range.box);
+            if (references_.fit_in_leaf(range))
+                tree_.nodes[index].children[i] = leaf(range);
             else
                 larger.push_back({parts[i], depth + 1, index, i});
         }
@@ -130,15 +128,16 @@ private:
         }
     }
 
-    // Splits the largest part that is not a leaf until there are eight parts, or only leaves.
-    Parts divided(Parts parts, int depth, ThreadPool& threads) {
+    // Splits the part of the largest area that is not a leaf until there are eight parts, or only leaves.
+    Parts divided(const BinaryTop& top, Parts parts, int depth) const {
         while (parts.size() < bvh8_width) {
-            ReferenceRange* largest = nullptr;
-            for (ReferenceRange& part : parts)
-                if (!references_.fit_in_leaf(part) && (!largest || part.box.half_area() > largest->box.half_area()))
+            BinaryTop::Part* largest = nullptr;
+            for (BinaryTop::Part& part : parts)
+                if (!references_.fit_in_leaf(part.range) &&
+                    (!largest || part.range.box.half_area() > largest->range.box.half_area()))
                     largest = &part;
             if (!largest) break;
-            const auto [left, right] = references_.split(*largest, depth, threads);
+            const auto [left, right] = top.halves(*largest, depth);
             *largest = left;
             parts.push_back(right);
         }
@@ -185,8 +184,7 @@ public:
     Bvh8Nodes build() {
         if (references_.all().size() == 0) return {};
         reserve(tree_, references_.all().size());
-        const std::vector<Subtree> subtrees =
-            Grower(triangles_, references_, tree_).grow_top(references_.parts_of_root(threads_), threads_);
+        const std::vector<Subtree> subtrees = Grower(triangles_, references_, tree_).grow_top(threads_);
         const std::size_t nodes_of_top = tree_.nodes.size();
         grow_and_append(subtrees);
         order_.arrange(tree_, nodes_of_top);
@@ -238,7 +236,7 @@ private:
         std::vector<std::size_t> order(subtrees.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::ranges::sort(order, {}, [&](std::size_t i) {
-            return std::tuple(i / together, -static_cast<std::ptrdiff_t>(subtrees[i].part.size()), i);
+            return std::tuple(i / together, -static_cast<std::ptrdiff_t>(subtrees[i].part.range.size()), i);
         });
         return order;
     }
@@ -253,8 +251,8 @@ private:
         threads_.for_each_in_turn(subtrees.size(), [&](std::size_t turn) {
             const std::size_t i = order[turn];
             Bvh8Nodes own;
-            reserve(own, subtrees[i].part.size());
-            Grower(triangles_, references_, own).grow(subtrees[i].part, subtrees[i].depth);
+            reserve(own, subtrees[i].part.range.size());
+            Grower(triangles_, references_, own).grow(subtrees[i].part.range, subtrees[i].depth);
             const AnyHitOrder::Expected expected = AnyHitOrder().arrange(own, own.nodes.size());
             std::vector<Placed> placed;
             {
