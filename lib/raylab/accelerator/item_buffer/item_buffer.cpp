@@ -91,8 +91,10 @@ struct ItemBuffer::Drawn {
         for_each_piece(primitives.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
             Piece& piece = pieces[begin / grain];
             piece.in_strips.resize(strips_of(view));
-            for (std::size_t place = begin; place < end && drawn <= most; ++place)
-                drawn += piece.draw(scene, primitives[place], view, static_cast<std::uint32_t>(place));
+            std::size_t own = 0;
+            for (std::size_t place = begin; place < end && drawn + own <= most; ++place)
+                own += piece.draw(scene, primitives[place], view, static_cast<std::uint32_t>(place));
+            drawn += own;
         });
         too_many = drawn > most;
         if (too_many) return;
