@@ -153,9 +153,9 @@ void ItemBuffer::keep(const Drawn& drawn, int threads) {
     begins_.reserve(drawn.items.size());
     for (const Drawn::Item& item : drawn.items) begins_.push_back(item.begins);
     const auto above = drawn.items_above(strips_of(view_));
-    first_.resize(pixels_of(view_) + 1);
-    first_.back() = above.back();
-    items_.resize(above.back());
+    first_ = large_array<std::uint32_t>(pixels_of(view_) + 1);
+    first_[pixels_of(view_)] = above.back();
+    items_ = large_array<std::uint32_t>(above.back());
     for_each_piece(static_cast<std::size_t>(view_.size().height), strip_height, threads,
                    [&](std::size_t top, std::size_t bottom) {
                        count(drawn, static_cast<int>(top), static_cast<int>(bottom), above[top / strip_height]);
@@ -165,18 +165,18 @@ void ItemBuffer::keep(const Drawn& drawn, int threads) {
 
 // Lets the pixels of a strip have the places where their items end; `sum` are above them.
 void ItemBuffer::count(const Drawn& drawn, int top, int bottom, std::uint32_t sum) {
-    for (int row = top; row < bottom; ++row) std::ranges::fill(pixels(whole(row)), Place(0));
+    for (int row = top; row < bottom; ++row) std::ranges::fill(pixels(whole(row)), 0u);
     // First how many more items each pixel has than the one to its left.
     drawn.for_each_between(top, bottom, [&](std::uint32_t, const PictureRow& row) {
-        ++first_[view_.number(row.first, row.row)].value;
-        if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)].value;
+        ++first_[view_.number(row.first, row.row)];
+        if (row.last + 1 < view_.size().width) --first_[view_.number(row.last + 1, row.row)];
     });
     for (int row = top; row < bottom; ++row) {
         std::uint32_t own = 0;
-        for (Place& pixel : pixels(whole(row))) {
-            own += pixel.value;
+        for (std::uint32_t& pixel : pixels(whole(row))) {
+            own += pixel;
             sum += own;
-            pixel.value = sum;
+            pixel = sum;
         }
     }
 }
@@ -185,31 +185,30 @@ void ItemBuffer::count(const Drawn& drawn, int top, int bottom, std::uint32_t su
 // places where items end become those where they begin.
 void ItemBuffer::put(const Drawn& drawn, int top, int bottom) {
     drawn.for_each_between(top, bottom, [&](std::uint32_t i, const PictureRow& row) {
-        for (Place& end : pixels(row)) items_[--end.value] = i;
+        for (std::uint32_t& end : pixels(row)) items_[--end] = i;
     });
 }
 
 PictureRow ItemBuffer::whole(int row) const { return {row, 0, view_.size().width - 1}; }
 
-std::span<ItemBuffer::Place> ItemBuffer::pixels(const PictureRow& row) {
-    return std::span(first_).subspan(view_.number(row.first, row.row),
-                                     static_cast<std::size_t>(row.last - row.first) + 1);
+std::span<std::uint32_t> ItemBuffer::pixels(const PictureRow& row) {
+    return {first_.get() + view_.number(row.first, row.row), static_cast<std::size_t>(row.last - row.first) + 1};
 }
 
 std::optional<std::size_t> ItemBuffer::items(int column, int row) const {
-    if (first_.empty()) return std::nullopt;
+    if (!first_) return std::nullopt;
     const std::size_t pixel = view_.number(column, row);
-    return always_.size() + first_[pixel + 1].value - first_[pixel].value;
+    return always_.size() + first_[pixel + 1] - first_[pixel];
 }
 
 std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) const {
-    const auto pixel = first_.empty() ? std::nullopt : view_.pixel(ray);
+    const auto pixel = first_ ? view_.pixel(ray) : std::nullopt;
     if (!pixel) return others_.closest(ray, traversal);
     ++traversal.steps;
     Nearest nearest(ray);
     for (std::size_t i = 0; i < always_.size(); ++i) always_.test(i, ray, nearest, traversal);
-    for (std::uint32_t k = first_[*pixel].value; k < first_[*pixel + 1].value; ++k) {
-        const std::uint32_t i = items_[k].value;
+    for (std::uint32_t k = first_[*pixel]; k < first_[*pixel + 1]; ++k) {
+        const std::uint32_t i = items_[k];
         if (begins_[i] > nearest.limit()) break;  // and so do all that follow
         seen_.test(i, ray, nearest, traversal);
     }
@@ -219,8 +218,8 @@ std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) con
 bool ItemBuffer::occluded(const Ray& ray, Traversal& traversal) const { return others_.occluded(ray, traversal); }
 
 std::size_t ItemBuffer::bytes() const {
-    return always_.bytes() + seen_.bytes() + begins_.capacity() * sizeof(float) +
-           (first_.capacity() + items_.capacity()) * sizeof(std::uint32_t);
+    const std::size_t places = first_ ? pixels_of(view_) + 1 + first_[pixels_of(view_)] : 0;
+    return always_.bytes() + seen_.bytes() + begins_.capacity() * sizeof(float) + places * sizeof(std::uint32_t);
 }
 
 }  // namespace raylab

@@ -35,14 +35,6 @@ public:
     static constexpr std::size_t max_per_pixel = 256;
 
 private:
-    // A place in `seen_` or `items_`. (Many at once have no value until threads fill them: no thread sets them all to
-    // zero before.)
-    struct Place {
-        Place() {}
-        Place(std::uint32_t i) : value(i) {}
-        std::uint32_t value;
-    };
-
     struct Drawn;
     ItemBuffer(const Scene& scene, const PictureView& view, const Accelerator& others, const Drawn& drawn, int threads);
 
@@ -50,15 +42,16 @@ private:
     void count(const Drawn& drawn, int top, int bottom, std::uint32_t sum);
     void put(const Drawn& drawn, int top, int bottom);
     PictureRow whole(int row) const;
-    std::span<Place> pixels(const PictureRow& row);  // of `first_`
+    std::span<std::uint32_t> pixels(const PictureRow& row);  // of `first_`
 
     PictureView view_;
     const Accelerator& others_;
     Primitives always_;          // planes, and what is too near to say where in the picture it is
     Primitives seen_;            // the nearest first
     std::vector<float> begins_;  // of `seen_`: where along any eye ray it does, at the earliest
-    LargeVector<Place> first_;   // of a pixel's items; the next pixel's first one ends them
-    LargeVector<Place> items_;   // ascending
+    // (Arrays that are not set before threads fill them.)
+    LargeArray<std::uint32_t> first_;  // of a pixel's items; the next pixel's first one ends them; none: too many
+    LargeArray<std::uint32_t> items_;  // ascending
 };
 
 }  // namespace raylab
