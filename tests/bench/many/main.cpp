@@ -7,6 +7,7 @@
 
 #include "bench/seconds_of.h"
 #include "raylab/accelerator/accelerator.h"
+#include "raylab/base/heap.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/experiment/measure/quantile.h"
@@ -193,6 +194,8 @@ void race(const char* name, const Scene& scene, const std::vector<Ray>& rays) {
 }  // namespace
 
 int main(int count, char** words) {
+    keep_freed_memory();  // as a program does (base/program.cpp)
+    put_heap_on_large_pages();
     const auto number = [&](int i, int otherwise) { return i < count ? std::atoi(words[i]) : otherwise; };
     const auto rays = rays_in(number(3, 200'000));
     race("spheres", spheres(number(1, 1'000'000)), rays);

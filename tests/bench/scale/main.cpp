@@ -12,6 +12,7 @@
 #include "bench/seconds_of.h"
 #include "raylab/accelerator/accelerator.h"
 #include "raylab/accelerator/trace_rays.h"
+#include "raylab/base/heap.h"
 #include "raylab/experiment/adversarial/adversarial.h"
 #include "raylab/experiment/generate/generate.h"
 #include "raylab/experiment/measure/quantile.h"
@@ -257,6 +258,8 @@ Measured measured_apart(const char* whose, const std::string& path, int threads)
 }  // namespace
 
 int main(int count, char** words) {
+    keep_freed_memory();  // as a program does (base/program.cpp)
+    put_heap_on_large_pages();
     if (count < 2 || words[1][0] == '-') {
         fmt::print(stderr, "bench_scale FOLDER [LEVELS] [THREADS]\n");
         return 2;
