@@ -20,6 +20,7 @@ void keep_freed_memory() {
     mallopt(M_MMAP_THRESHOLD, heap_size / 2);  // more is not taken
     mallopt(M_TRIM_THRESHOLD, 2 * heap_size);
     mallopt(M_TOP_PAD, heap_size);  // by how much more than was asked a heap grows
+    put_heap_on_large_pages();
 }
 
 void put_heap_on_large_pages() {

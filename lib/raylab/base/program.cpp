@@ -30,7 +30,6 @@ ExitCode answer(const std::function<ExitCode()>& body) {
 int run_program(const std::function<ExitCode()>& body) {
     open_missing_standard_streams();
     keep_freed_memory();
-    put_heap_on_large_pages();
     end_at_interrupt();
     try {
         const ExitCode code = answer(body);

@@ -195,7 +195,6 @@ void race(const char* name, const Scene& scene, const std::vector<Ray>& rays) {
 
 int main(int count, char** words) {
     keep_freed_memory();  // as a program does (base/program.cpp)
-    put_heap_on_large_pages();
     const auto number = [&](int i, int otherwise) { return i < count ? std::atoi(words[i]) : otherwise; };
     const auto rays = rays_in(number(3, 200'000));
     race("spheres", spheres(number(1, 1'000'000)), rays);

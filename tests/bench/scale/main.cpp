@@ -259,7 +259,6 @@ Measured measured_apart(const char* whose, const std::string& path, int threads)
 
 int main(int count, char** words) {
     keep_freed_memory();  // as a program does (base/program.cpp)
-    put_heap_on_large_pages();
     if (count < 2 || words[1][0] == '-') {
         fmt::print(stderr, "bench_scale FOLDER [LEVELS] [THREADS]\n");
         return 2;
