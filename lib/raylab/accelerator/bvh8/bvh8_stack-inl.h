@@ -17,6 +17,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
@@ -27,9 +28,9 @@ class Waiting {
 public:
     Waiting() = default;
     /// Nothing, which a ray enters before its end wherever that is: as a signed integer its entry is the least of all.
-    static HWY_INLINE Waiting nothing() { return Waiting(-0.0f, Bvh8Child::none()); }
-    HWY_INLINE Waiting(float entry, Bvh8Child child)
-        : key_(std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
+    static HWY_INLINE Waiting nothing() { return Waiting(std::numeric_limits<std::int32_t>::min(), Bvh8Child::none()); }
+    HWY_INLINE Waiting(std::int32_t entry, Bvh8Child child)
+        : key_(std::uint64_t{static_cast<std::uint32_t>(entry)} << 32 | std::bit_cast<std::uint32_t>(child)) {}
     HWY_INLINE Bvh8Child child() const { return std::bit_cast<Bvh8Child>(static_cast<std::uint32_t>(key_)); }
     /// Whether it is entered after a t, given as its bits.
     HWY_INLINE bool is_entered_after(std::int32_t latest) const {
@@ -85,7 +86,7 @@ public:
 
     // Pushes the children that the ray hits (at least one), farthest first, and returns the nearest instead of pushing
     // it.
-    HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) {
+    HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const std::int32_t* entries, std::uint32_t hit_found) {
         // Mostly one child is hit. Its place is then all that the next step waits for, not when it is entered.
         const auto first = static_cast<std::size_t>(std::countr_zero(hit_found));
         const Bvh8Child only = node.children[first];
@@ -123,7 +124,7 @@ public:
 
 private:
     // The first child that is hit. Its memory is prefetched while the others are examined and sorted.
-    HWY_INLINE Waiting hit_first(const Bvh8Node& node, const float* entries, std::uint32_t hit_found) const {
+    HWY_INLINE Waiting hit_first(const Bvh8Node& node, const std::int32_t* entries, std::uint32_t hit_found) const {
         const auto i = static_cast<std::size_t>(std::countr_zero(hit_found));
         const Bvh8Child child = node.children[i];
         prefetcher_.prefetch(child);
@@ -161,7 +162,7 @@ public:
 
     // Pushes the children that the ray hits (at least one) but the last, and returns that. There is no branch for each
     // child: those that are hit are moved together, and the top is moved by their number.
-    HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const float*, std::uint32_t hit_found) {
+    HWY_INLINE Bvh8Child keep(const Bvh8Node& node, const std::int32_t*, std::uint32_t hit_found) {
         // (31 ^ is 31 -, and one instruction with the zeros' count.)
         const Bvh8Child last = node.children[static_cast<std::uint32_t>(31 ^ std::countl_zero(hit_found))];
         prefetcher_.prefetch(last);

@@ -64,11 +64,6 @@ struct Areas {
         }
         return ~bits(hn::And(hn::Lt(smallest(), hn::Neg(error)), hn::Gt(largest(), error))) & all_of_them;
     }
-
-    static HWY_INLINE std::uint32_t signs(Floats x) {
-        constexpr hn::RebindToSigned<Lanes> integers;
-        return bits(hn::RebindMask(lanes_tag, hn::Lt(hn::BitCast(integers, x), hn::Zero(integers))));
-    }
 };
 
 // Of those, which are surely hit between the ray's start and end, which surely not there, and bounds of t for the
@@ -110,7 +105,7 @@ public:
     // Those that it surely crosses from behind: with d the direction and (a, b, c) the corners, the area times d_z is
     // -d . (b x c).
     HWY_INLINE std::uint32_t crossed_from_behind(const Areas& of, const Bvh8Ray& ray) const {
-        return crossed() & Areas::signs(hn::Xor(of.u, all(ray.slowness)));
+        return crossed() & signs(hn::Xor(of.u, all(ray.slowness)));
     }
     HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const { return hit_before(ray.end, ray); }
     HWY_INLINE std::uint32_t hit_before(float end, const Bvh8Ray& ray) const {

@@ -20,8 +20,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace raylab::HWY_NAMESPACE {
 
-constexpr hn::RebindToSigned<Lanes> places_tag;
-using Places = hn::Vec<hn::RebindToSigned<Lanes>>;
+constexpr auto places_tag = integers_tag;
+using Places = Integers;
 
 // One number of each of a leaf's vertices, from which corners look up theirs: in registers,
 struct TableInRegisters {
@@ -124,7 +124,7 @@ public:
     // A mask of those that are seen from the front alone.
     HWY_INLINE std::uint32_t front_only() const {
         const Places up_to_sign = hn::ShiftLeft<31 - 3 * Bvh8Vertices::lane_bits>(words_);
-        return bits(hn::RebindMask(lanes_tag, hn::Lt(up_to_sign, hn::Zero(places_tag))));
+        return signs(hn::BitCast(lanes_tag, up_to_sign));
     }
 
 private:

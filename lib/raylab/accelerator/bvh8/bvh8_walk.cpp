@@ -36,7 +36,7 @@ using StackOf = std::conditional_t<any_will_do(test), InOrder, NearestFirst>;
 template <Bvh8Test test, class IsFar>
 HWY_INLINE Bvh8Child walk_on(const Bvh8Nodes& tree, const Bvh8Query& query, Bvh8Child next, Bvh8Ray& ray,
                              StackOf<test>& waiting, Bvh8Leaves& leaves, Traversal& traversal, const IsFar& is_far) {
-    alignas(32) std::array<float, bvh8_width> entries;
+    alignas(32) std::array<std::int32_t, bvh8_width> entries;
     const auto* const nodes = reinterpret_cast<const std::byte*>(tree.nodes.data());
     std::uint64_t steps = 0, triangles = 0;
     const auto come_to = [&](Bvh8Child child) HWY_ATTR {
