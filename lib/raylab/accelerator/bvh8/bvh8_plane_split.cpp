@@ -37,9 +37,11 @@ PlaneBins::PlaneBins(int count) : count_(count) {
     for (OfAxis& axis : bins_) std::fill_n(axis.begin(), count_, OfBin{});
 }
 
+// (Unrolled like the loop of Bins: a tenth of a tree's time.)
 void PlaneBins::add(const Reference& one, const PlaneBinning& binning) {
     const Bin alone{one.box(), 1};
     const FourInts first = binning.bins_of(alone.box.min), last = binning.bins_of(alone.box.max);
+#pragma GCC unroll 3
     for (int axis = 0; axis < 3; ++axis) {
         bins_[place(axis)][place(first[axis])].begun.add(alone);
         bins_[place(axis)][place(last[axis])].ended.add(alone);

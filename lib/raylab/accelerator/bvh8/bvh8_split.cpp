@@ -16,7 +16,10 @@ public:
         for (auto& axis : bins_) std::fill_n(axis.begin(), count, Bin{});
     }
 
+    // (Unrolled, the loop takes each bin from where the vector is. Otherwise GCC stores it, and reads one number after
+    // the other: a fifth of a tree's time.)
     void add(const Reference& one, FourInts bin) {
+#pragma GCC unroll 3
         for (int axis = 0; axis < 3; ++axis) {
             Bin& into = bins_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bin[axis])];
             into.box.add(one.box());
