@@ -36,3 +36,22 @@ TEST_CASE("the first float beyond a number is the next one, and the nearest if t
     }
     CHECK(wrong == 0);
 }
+
+TEST_CASE("a number is rounded up to the first float not below it that is zero or normal") {
+    constexpr double smallest = std::numeric_limits<float>::min(), tiniest = std::numeric_limits<float>::denorm_min(),
+                     largest = std::numeric_limits<float>::max();
+    CHECK(rounded_up(0) == 0);
+    CHECK(rounded_up(std::numeric_limits<double>::denorm_min()) == smallest);
+    CHECK((rounded_up(tiniest) == smallest && rounded_up(-tiniest) == 0));
+    CHECK((rounded_up(smallest) == smallest && rounded_up(-smallest) == -smallest));
+    CHECK(rounded_up(std::nextafter(smallest, 1)) == smallest + tiniest);
+    CHECK(rounded_up(std::nextafter(-smallest, 0)) == 0);
+    CHECK((rounded_up(largest) == largest && rounded_up(-2 * largest) == -largest));
+    CHECK(rounded_up(std::nextafter(largest, 1e39)) == infinity);
+    for (const double x : {1.0, 0.1, 1e-37, 3e38})
+        for (const double near : {std::nextafter(x, 0), x, std::nextafter(x, 1e39)})
+            for (const double signed_one : {near, -near}) {
+                const float up = rounded_up(signed_one);
+                CHECK((up >= signed_one && std::nextafter(up, -infinity) < signed_one));
+            }
+}
