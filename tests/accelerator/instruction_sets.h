@@ -10,8 +10,12 @@
 template <class F>
 void with_each_instruction_set(const F& f) {
     struct Restricted {
-        explicit Restricted(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
-        ~Restricted() { hwy::SetSupportedTargetsForTest(0); }
+        explicit Restricted(std::int64_t target) { restrict_to(target); }
+        ~Restricted() { restrict_to(0); }
+        static void restrict_to(std::int64_t targets) {
+            hwy::SetSupportedTargetsForTest(targets);
+            hwy::GetChosenTarget().DeInit();  // the next structure asks anew
+        }
     };
     for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
         INFO(hwy::TargetName(targets & -targets));
