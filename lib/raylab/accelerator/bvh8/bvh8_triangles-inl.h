@@ -43,12 +43,16 @@ struct Areas {
         v = hn::MulSub(ax, cy, hn::Mul(ay, cx));
         w = hn::MulSub(bx, ay, hn::Mul(by, ax));
         const Floats linear = all(ray.error_linear);
-        const Floats r = hn::Max(hn::Max(hn::Max(larger(ax, ay), larger(bx, by)), larger(cx, cy)), linear);
+        const Floats r = larger(larger(larger(hn::Abs(ax), hn::Abs(ay)), larger(hn::Abs(bx), hn::Abs(by))),
+                                larger(larger(hn::Abs(cx), hn::Abs(cy)), linear));
         error = hn::Mul(r, hn::MulAdd(r, all(ray.error_quadratic), linear));
     }
     HWY_INLINE Floats smallest() const { return hn::Min(hn::Min(u, v), w); }
     HWY_INLINE Floats largest() const { return hn::Max(hn::Max(u, v), w); }
-    static HWY_INLINE Floats larger(Floats p, Floats q) { return hn::Max(hn::Abs(p), hn::Abs(q)); }
+    // Of two that are not negative.
+    static HWY_INLINE Floats larger(Floats p, Floats q) {
+        return hn::BitCast(lanes_tag, hn::Max(hn::BitCast(integers_tag, p), hn::BitCast(integers_tag, q)));
+    }
 
     // A mask of those of the first `count` triangles that are not surely missed: whose areas do not surely have
     // different signs. A NaN leaves a triangle open. (The signs are known much sooner than the error bounds, which
