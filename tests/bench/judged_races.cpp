@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 // Races with peers that are wrong, or slow, on purpose.
@@ -103,6 +104,18 @@ TEST_CASE("a slow peer is given whole blocks of some of the rays, and judged by 
     CHECK(rows[0].ray_count == 1024);  // the smallest number that is timed
     CHECK(rows[0].wrong == rows[0].hits);
     CHECK(rows[1].ray_count == 64 * 64);
+}
+
+TEST_CASE("the rays that a slow peer is given are of all parts of a picture") {
+    const auto rows = race(
+        "bumpy_2", {.rays = {"primary"}, .peers = {"slow", "bvh"}, .repetitions = 1, .size = 256, .longest = 0.01});
+    REQUIRE(rows.size() == 2);
+    REQUIRE(rows[0].ray_count == 1024);
+    const auto share = [](const Row& row) {
+        return static_cast<double>(row.hits) / static_cast<double>(row.ray_count);
+    };
+    CHECK(share(rows[1]) > 0.3);
+    CHECK(std::abs(share(rows[0]) - share(rows[1])) < 0.1);
 }
 
 TEST_CASE("every peer races with every number of threads") {

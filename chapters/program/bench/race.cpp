@@ -2,6 +2,7 @@
 
 #include "raylab/base/tiles.h"
 #include "raylab/experiment/measure/quantile.h"
+#include "raylab/sampling/random.h"
 
 #include <algorithm>
 #include <ctime>
@@ -88,16 +89,20 @@ double seconds(Run& run, RayQuestion question, Seconds clock) {
     return watch.seconds();
 }
 
-/// Every `share`-th block of rays: neighbouring rays stay together, because coherence is what makes them fast.
+/// One of each `share` blocks of rays. Neighbouring rays stay together, because coherence is what makes them fast; and
+/// which block it is is left to chance: every sixteenth would lie at the left edge of a picture of 1024 pixels.
 Run part(Entrant& entrant, const RaySet& set, std::size_t share) {
     constexpr std::size_t block = 64;
     Run run{&entrant, {}, {}, {}};
     const auto& all = set.rays->rays;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (i / block % share == 0) {
+    const std::size_t blocks = (all.size() + block - 1) / block, group = std::min(share, blocks);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t number = i / block;
+        if (number % group == random_bits({.pixel = number / group}) % group) {
             run.chosen.push_back(i);
             run.rays.push_back(all[i]);
         }
+    }
     run.answers.resize(run.rays.size());
     return run;
 }
@@ -121,7 +126,7 @@ void judge(const Run& run, const RaySet& set, Row& row) {
     }
 }
 
-/// The work for every sixteenth block, or for fewer rays where the run has fewer.
+/// The work for a sixteenth of the rays, or for fewer where the run has fewer.
 Work work(const Run& run, const RaySet& set) {
     const bool all = run.rays.size() == set.rays->rays.size();
     const Run some =
