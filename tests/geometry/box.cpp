@@ -4,6 +4,9 @@
 #include "geometry/verdict.h"
 #include "raylab/number/dyadic.h"
 
+#include <cmath>
+#include <vector>
+
 using namespace raylab;
 using namespace raylab::adversarial;
 using raylab::adversarial::Draw;
@@ -48,4 +51,15 @@ TEST_CASE("the box about what overflows floats when it is placed is endless, not
     CHECK(box.min.x == -std::numeric_limits<float>::infinity());
     CHECK(box.max.x == std::numeric_limits<float>::infinity());
     CHECK((box.max.y >= 1 && box.max.y < 1.0001f));
+}
+
+TEST_CASE("the box about what ends at 0 has no subnormal numbers") {
+    const Polygon ground{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}};
+    for (const Shape& shape : std::vector<Shape>{ground, Cone{{0, 0, 0}, {0, 1, 0}, 1, 0},
+                                                 Cylinder{{0, 0, 0}, {0, 0, 2}, 1}, Sphere{{1, 1, 1}, 1}}) {
+        const Box box = *bounds(shape, Affine{});
+        for (const Vec3f& corner : {box.min, box.max})
+            for (int axis = 0; axis < 3; ++axis) CHECK(std::fpclassify(corner[axis]) != FP_SUBNORMAL);
+        CHECK((box.min.y <= 0 && box.min.y > -2));
+    }
 }
