@@ -90,7 +90,7 @@ double seconds(Run& run, RayQuestion question, Seconds clock) {
 }
 
 /// One of each `share` blocks of rays. Neighbouring rays stay together, because coherence is what makes them fast; and
-/// which block it is is left to chance: every sixteenth would lie at the left edge of a picture of 1024 pixels.
+/// which one it is, is left to chance: every sixteenth would lie at the left edge of a picture of 1024 pixels.
 Run part(Entrant& entrant, const RaySet& set, std::size_t share) {
     constexpr std::size_t block = 64;
     Run run{&entrant, {}, {}, {}};
