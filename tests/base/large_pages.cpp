@@ -69,15 +69,15 @@ TEST_CASE("a vector on large pages keeps what it holds as it grows past a large 
 TEST_CASE("what is larger than a large page begins on one") {
     const LargeVector<char> large(std::size_t{5} << 20);
     CHECK(reinterpret_cast<std::uintptr_t>(large.data()) % large_page == 0);
-    CHECK(reinterpret_cast<std::uintptr_t>(large_array<char>(std::size_t{5} << 20).get()) % large_page == 0);
+    CHECK(reinterpret_cast<std::uintptr_t>(LargeArray<char>(std::size_t{5} << 20).data()) % large_page == 0);
 }
 
 TEST_CASE("the system gives large pages for what holds them") {
     if (is_sanitized || !has_large_pages()) return;
     for (const std::size_t size : {std::size_t{5} << 20, std::size_t{40} << 20}) {
-        const auto some = large_array<char>(size);
-        std::fill_n(some.get(), size, char{1});
-        CHECK(kilobytes_on_large_pages(some.get() + size / 2) >= 2048);
+        LargeArray<char> some(size);
+        std::ranges::fill(some, char{1});
+        CHECK(kilobytes_on_large_pages(some.data() + size / 2) >= 2048);
     }
 }
 
@@ -117,5 +117,5 @@ TEST_CASE("aligned blocks take the places of those of their size that were freed
 TEST_CASE("more elements than there are addresses are refused") {
     CHECK_THROWS_AS(LargePages<Line>().allocate(std::numeric_limits<std::size_t>::max() / 8),
                     std::bad_array_new_length);
-    CHECK_THROWS_AS(large_array<int>(std::numeric_limits<std::size_t>::max() / 3), std::bad_array_new_length);
+    CHECK_THROWS_AS(LargeArray<int>(std::numeric_limits<std::size_t>::max() / 3), std::length_error);
 }

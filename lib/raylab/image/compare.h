@@ -62,7 +62,7 @@ struct Comparison {
     double relative_mse = 0;  // mean of (x - y)^2 / (y^2 + 0.01 mean(y)^2), y the reference
     double mean_flip = 0;
     double share_over = 0;  // of pixels
-    Pixel mean, reference_mean;
+    Pixel mean{}, reference_mean{};
     std::vector<PixelPair> worst;  // at most ten, the worst first; one of each 8 x 8 block
     std::vector<BadTile> bad_tiles;
 

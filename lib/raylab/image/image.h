@@ -7,9 +7,10 @@
 
 namespace raylab {
 
-/// One pixel of a stored picture: linear RGB, Rec. 709 primaries.
+/// One pixel of a stored picture: linear RGB, Rec. 709 primaries. (Without initial values, so that a picture is not set
+/// to them before it is drawn.)
 struct Pixel {
-    float r = 0, g = 0, b = 0;
+    float r, g, b;
 
     friend bool operator==(const Pixel&, const Pixel&) = default;
 };
@@ -24,12 +25,20 @@ public:
           pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
         assert(width >= 0 && height >= 0);
     }
+    /// Its pixels are not set: for a picture of which each is drawn, by several threads.
+    static Image unset(int width, int height) {
+        Image image;
+        image.width_ = width;
+        image.height_ = height;
+        image.pixels_ = LargeArray<Pixel>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        return image;
+    }
 
     int width() const { return width_; }
     int height() const { return height_; }
     Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
     const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
-    const LargeVector<Pixel>& pixels() const { return pixels_; }
+    const LargeArray<Pixel>& pixels() const { return pixels_; }
 
 private:
     std::size_t index(int x, int y) const {
@@ -38,7 +47,7 @@ private:
     }
 
     int width_ = 0, height_ = 0;
-    LargeVector<Pixel> pixels_;
+    LargeArray<Pixel> pixels_;
 };
 
 }  // namespace raylab

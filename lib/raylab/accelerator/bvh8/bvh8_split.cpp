@@ -148,7 +148,7 @@ References::References(const TriangleRuns& triangles, std::span<const Box> other
     const std::size_t count = triangles.size() + others.size();
     const auto wanted = static_cast<std::size_t>(options.max_duplicates * static_cast<double>(count));
     const std::size_t room = std::min(wanted, Bvh8Child::max_primitives - count);
-    all_ = large_array<Reference>(count + room);
+    all_ = LargeArray<Reference>(count + room);
     const auto bounds = in_pieces<Bounds>({0, count}, threads, [&](std::size_t begin, std::size_t end) {
         Bounds piece;
         for (std::size_t i = begin; i < std::min(end, triangles.size()); ++i) {
@@ -319,7 +319,7 @@ void References::exchange(std::span<const SortedPiece> pieces, std::size_t middl
             const auto [right, rights_there] = rights.from(begin);
             const auto [left, lefts_there] = lefts.from(begin);
             const std::size_t count = std::min({end - begin, rights_there, lefts_there});
-            std::swap_ranges(all_.get() + right, all_.get() + right + count, all_.get() + left);
+            std::swap_ranges(all_.data() + right, all_.data() + right + count, all_.data() + left);
             begin += count;
         }
     });
@@ -335,7 +335,7 @@ References::Sides References::with_room(Sides sides, std::size_t room) {
     left.room = static_cast<std::size_t>(share * static_cast<double>(room));
     right.room = room - left.room;
     const std::size_t moved = std::min(left.room, right.size());
-    std::copy_n(all_.get() + right.begin, moved, all_.get() + right.end + left.room - moved);
+    std::copy_n(all_.data() + right.begin, moved, all_.data() + right.end + left.room - moved);
     right.begin += left.room;
     right.end += left.room;
     return sides;

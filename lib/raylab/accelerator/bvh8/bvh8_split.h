@@ -28,10 +28,10 @@ public:
     const Extent& corners() const { return corners_; }
     /// The parts from which the tree is grown: all in one, or the walls of a room and the rest.
     std::vector<ReferenceRange> parts_of_root(ThreadPool& threads);
-    std::span<const Reference> of(const ReferenceRange& part) const { return {all_.get() + part.begin, part.size()}; }
+    std::span<const Reference> of(const ReferenceRange& part) const { return {all_.data() + part.begin, part.size()}; }
 
     /// Frees the references; nothing is asked of them any more.
-    void release() { all_.reset(); }
+    void release() { all_ = LargeArray<Reference>(); }
 
     /// Whether a part is one primitive, or so few triangles that they are tested at once; of walls those in one box.
     bool fit_in_leaf(const ReferenceRange& part) const;

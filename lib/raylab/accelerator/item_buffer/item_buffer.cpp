@@ -153,9 +153,9 @@ void ItemBuffer::keep(const Drawn& drawn, int threads) {
     begins_.reserve(drawn.items.size());
     for (const Drawn::Item& item : drawn.items) begins_.push_back(item.begins);
     const auto above = drawn.items_above(strips_of(view_));
-    first_ = large_array<std::uint32_t>(pixels_of(view_) + 1);
+    first_ = LargeArray<std::uint32_t>(pixels_of(view_) + 1);
     first_[pixels_of(view_)] = above.back();
-    items_ = large_array<std::uint32_t>(above.back());
+    items_ = LargeArray<std::uint32_t>(above.back());
     for_each_piece(static_cast<std::size_t>(view_.size().height), strip_height, threads,
                    [&](std::size_t top, std::size_t bottom) {
                        count(drawn, static_cast<int>(top), static_cast<int>(bottom), above[top / strip_height]);
@@ -192,17 +192,17 @@ void ItemBuffer::put(const Drawn& drawn, int top, int bottom) {
 PictureRow ItemBuffer::whole(int row) const { return {row, 0, view_.size().width - 1}; }
 
 std::span<std::uint32_t> ItemBuffer::pixels(const PictureRow& row) {
-    return {first_.get() + view_.number(row.first, row.row), static_cast<std::size_t>(row.last - row.first) + 1};
+    return {first_.data() + view_.number(row.first, row.row), static_cast<std::size_t>(row.last - row.first) + 1};
 }
 
 std::optional<std::size_t> ItemBuffer::items(int column, int row) const {
-    if (!first_) return std::nullopt;
+    if (first_.empty()) return std::nullopt;
     const std::size_t pixel = view_.number(column, row);
     return always_.size() + first_[pixel + 1] - first_[pixel];
 }
 
 std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) const {
-    const auto pixel = first_ ? view_.pixel(ray) : std::nullopt;
+    const auto pixel = first_.empty() ? std::nullopt : view_.pixel(ray);
     if (!pixel) return others_.closest(ray, traversal);
     ++traversal.steps;
     Nearest nearest(ray);
@@ -218,7 +218,7 @@ std::optional<Hit> ItemBuffer::closest(const Ray& ray, Traversal& traversal) con
 bool ItemBuffer::occluded(const Ray& ray, Traversal& traversal) const { return others_.occluded(ray, traversal); }
 
 std::size_t ItemBuffer::bytes() const {
-    const std::size_t places = first_ ? pixels_of(view_) + 1 + first_[pixels_of(view_)] : 0;
+    const std::size_t places = first_.empty() ? 0 : pixels_of(view_) + 1 + first_[pixels_of(view_)];
     return always_.bytes() + seen_.bytes() + begins_.capacity() * sizeof(float) + places * sizeof(std::uint32_t);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 // The mean of the pixels in [left, right) x [top, bottom).
 Pixel mean_of(const Image& image, int left, int right, int top, int bottom) {
-    Pixel sum;
+    Pixel sum{};
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x) {
             const Pixel& pixel = image.at(x, y);

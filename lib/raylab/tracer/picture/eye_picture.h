@@ -45,7 +45,7 @@ template <class PixelAt>
 /// which may keep counts.
 template <class ForTile>
 Image eye_picture_by_tiles(const CameraFrame& frame, const EyePictureOptions& options, const ForTile& for_tile) {
-    Image image(frame.image.width, frame.image.height);
+    Image image = Image::unset(frame.image.width, frame.image.height);
     const auto by_tiles = [&](const auto& pixel) {
         for_each_tile(image.width(), image.height(), options.threads, options.label, [&](Tile tile) {
             for_tile(
