@@ -29,17 +29,16 @@ HWY_INLINE std::uint32_t open_boxes(const ShapeRows& rows, const RowBoxes& boxes
     return hit_found & first(rows.box_count);
 }
 
-// Spheres are asked first; their places end where those of boxes begin.
+// Spheres are asked first; their places end where those of boxes begin. (Where a sphere is entered is not asked: to
+// test one takes no more than that.)
 std::uint32_t open(const ShapeRows& rows, const Ray& ray, double end, RowQuestions::Entries& entries) {
     const RowRay row_ray(ray);
     std::uint32_t missed = 0;
     if (rows.sphere_count != 0) {
         const RowSpheres spheres(row_ray);
         for (std::size_t i = 0; i < rows.sphere_count; i += doubles_at_once) {
-            const SpheresAlong s = spheres.along(rows.spheres, i);
-            const std::uint32_t of_these = bits(doubles_tag, s.missed());
-            missed |= of_these << i;
-            if (of_these != first(doubles_at_once)) hn::StoreU(s.entries(), doubles_tag, entries.data() + i);
+            missed |= bits(doubles_tag, spheres.along(rows.spheres, i).missed()) << i;
+            hn::StoreU(hn::Zero(doubles_tag), doubles_tag, entries.data() + i);
         }
     }
     const std::uint32_t spheres = ~missed & first(rows.sphere_count);

@@ -27,16 +27,6 @@ struct SpheresAlong {
     HWY_INLINE Bools missed() const {
         return hn::Or(hn::Lt(terms.discriminant + terms.discriminant_error, number(0)), hn::And(outside(), away));
     }
-
-    // A lower bound of c / (|b| + sqrt(discriminant)), the smaller root seen from outside; zero from inside. The second
-    // error bound of the discriminant makes up for b's error: it adds more than 10 u sqrt(a (f.f + r^2)) to the root,
-    // since the discriminant is at most a r^2.
-    HWY_INLINE Doubles entries() const {
-        const Doubles way = terms.c - terms.c_error;
-        const Doubles root = hn::Sqrt(terms.discriminant + times(terms.discriminant_error, 2));
-        const Doubles entry = way / (hn::Abs(terms.b) + root);
-        return hn::IfThenElseZero(hn::Gt(way, number(0)), times(entry, 1 - 0x1p-40));
-    }
 };
 
 class RowSpheres {
