@@ -13,8 +13,11 @@ using Places = std::uint32_t;  // a bit for each
 
 std::size_t lowest(Places places) { return static_cast<std::size_t>(std::countr_zero(places)); }
 
-std::size_t entered_first(Places places, const RowQuestions::Entries& entries) {
+// The place of the shape that is to be tested first: a sphere if there is one, since they stand in front and count as
+// entered at 0, or what is entered first.
+std::size_t entered_first(Places places, const ShapeRows& rows, const RowQuestions::Entries& entries) {
     std::size_t first = lowest(places);
+    if (first < rows.sphere_count) return first;
     for (Places left = places & (places - 1); left != 0; left &= left - 1)
         if (const std::size_t other = lowest(left); entries[other] < entries[first]) first = other;
     return first;
@@ -55,7 +58,7 @@ inline std::optional<Candidate> BoxedList::candidate(const ShapeRows& rows, std:
 inline void BoxedList::test(const ShapeRows& rows, Places open, const RowQuestions::Entries& entries, const Ray& ray,
                             Nearest& nearest, Traversal& traversal) const {
     while (open != 0) {
-        const std::size_t place = entered_first(open, entries);
+        const std::size_t place = entered_first(open, rows, entries);
         if (entries[place] > nearest.limit()) break;
         if (const auto found = candidate(rows, place, ray, traversal))
             primitives_.offer(rows.numbers[place], *found, nearest, traversal);
@@ -72,7 +75,7 @@ std::optional<Hit> BoxedList::closest(const Ray& ray, Traversal& traversal) cons
     RowQuestions::Entries entries;
     const Places open = ask_.open(rows, ray, ray.range.max, entries);
     if (open == 0) return std::nullopt;
-    const std::size_t place = entered_first(open, entries);
+    const std::size_t place = entered_first(open, rows, entries);
     const Places others = open & ~(Places{1} << place);
     const auto found = candidate(rows, place, ray, traversal);
     if (!found ? others != 0 : is_entered(others, entries, Nearest::limit(*found)))

@@ -23,8 +23,7 @@ namespace raylab::HWY_NAMESPACE {
 class RowBoxes {
 public:
     HWY_INLINE RowBoxes(const ShapeRows& rows, const RowRay& row_ray, const Ray& ray, double end)
-        : met_{planes_met(rows, ray.direction, 0), planes_met(rows, ray.direction, 1),
-               planes_met(rows, ray.direction, 2)},
+        : rows_(rows),
           ray_(row_ray),
           x_(number(inverse(ray.direction.x))),
           y_(number(inverse(ray.direction.y))),
@@ -32,13 +31,15 @@ public:
           start_(number(ray.range.min)),
           end_(number(end)) {}
 
-    // Which boxes are hit, from place i on; and where they are entered.
+    // Which boxes are hit, from place i on; and where they are entered. (Which of two planes is met first their t tell:
+    // to choose them by the direction's sign is a branch, and often mispredicted.)
     HWY_INLINE Bools hit_mask(std::size_t i, double* entries) const {
         Doubles entry = start_, exit = end_;
         const auto cut = [&](std::size_t axis, Doubles origin, Doubles inverse) HWY_ATTR {
-            const auto& [first, last] = met_[axis];
-            entry = hn::Max(entry, hn::Mul(hn::Sub(load(*first, i), origin), inverse));
-            exit = hn::Min(exit, hn::Mul(hn::Sub(load(*last, i), origin), inverse));
+            const Doubles lower = hn::Mul(hn::Sub(load(rows_.lower[axis], i), origin), inverse),
+                          upper = hn::Mul(hn::Sub(load(rows_.upper[axis], i), origin), inverse);
+            entry = hn::Max(entry, hn::Min(lower, upper));
+            exit = hn::Min(exit, hn::Max(lower, upper));
         };
         cut(0, ray_.ox, x_);
         cut(1, ray_.oy, y_);
@@ -49,16 +50,9 @@ public:
     }
 
 private:
-    // The planes across an axis that the ray meets first, and last.
-    using PlanesMet = std::array<const ShapeRows::Row*, 2>;
-    static HWY_INLINE PlanesMet planes_met(const ShapeRows& rows, const Vec3f& direction, int axis) {
-        const auto *lower = &rows.lower[static_cast<std::size_t>(axis)],
-                   *upper = &rows.upper[static_cast<std::size_t>(axis)];
-        return direction[axis] < 0 ? PlanesMet{upper, lower} : PlanesMet{lower, upper};
-    }
     static HWY_INLINE double inverse(double x) { return x == 0 ? 0x1p600 : 1 / x; }
 
-    const std::array<PlanesMet, 3> met_;
+    const ShapeRows& rows_;
     const RowRay& ray_;
     const Doubles x_, y_, z_, start_, end_;
 };

@@ -17,7 +17,7 @@ struct RowQuestions {
         std::uint32_t open, sure;  // the latter are surely hit inside ray.range
     };
 
-    /// Which shapes may be hit up to t = end, and for these a t that none of their hits comes before.
+    /// Which shapes may be hit up to t = end, and for these a t that none of their hits comes before (of spheres 0).
     std::uint32_t (*open)(const ShapeRows& rows, const Ray& ray, double end, Entries& entries);
 
     /// Which shapes may stop the ray, and which surely do.
