@@ -81,6 +81,15 @@ TEST_CASE("the system gives large pages for what holds them") {
     }
 }
 
+// (So large that it comes from the system by itself, with no page that was written before.)
+TEST_CASE("an array that is not set takes no memory before it is written") {
+    if (is_sanitized || !has_large_pages()) return;
+    LargeArray<char> some(std::size_t{40} << 20);
+    CHECK(kilobytes_on_large_pages(some.data() + some.size() / 2) == 0);
+    some.back() = 1;
+    CHECK(kilobytes_on_large_pages(some.data() + some.size() / 2) == 2048);
+}
+
 // (Hidden: the next one runs it in a process whose heap is as new.)
 TEST_CASE("of a new process", "[.heap]") {
     keep_freed_memory();
