@@ -20,17 +20,13 @@ class Image {
 public:
     Image() = default;
     Image(int width, int height, Pixel fill = {})
-        : width_(width),
-          height_(height),
-          pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
-        assert(width >= 0 && height >= 0);
-    }
+        : width_(width), height_(height), pixels_(pixel_count(width, height), fill) {}
     /// Its pixels are not set: for a picture of which each is drawn, by several threads.
     static Image unset(int width, int height) {
         Image image;
         image.width_ = width;
         image.height_ = height;
-        image.pixels_ = LargeArray<Pixel>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        image.pixels_ = LargeArray<Pixel>(pixel_count(width, height));
         return image;
     }
 
@@ -41,6 +37,10 @@ public:
     const LargeArray<Pixel>& pixels() const { return pixels_; }
 
 private:
+    static std::size_t pixel_count(int width, int height) {
+        assert(width >= 0 && height >= 0);
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
     std::size_t index(int x, int y) const {
         assert(x >= 0 && x < width_ && y >= 0 && y < height_);
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
