@@ -15,8 +15,8 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
