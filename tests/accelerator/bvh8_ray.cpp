@@ -138,6 +138,27 @@ TEST_CASE("rays that stand still along axes lose nothing, whatever the sizes of 
     CHECK(faults(4'000, judge) == "");
 }
 
+TEST_CASE("what lies behind a ray is not hit where its range begins at -0, with every instruction set") {
+    // Floats are compared as integers, of which that of -0 is the least.
+    with_each_instruction_set([] {
+        const auto judge = [](Draw& draw) -> std::optional<std::string> {
+            std::vector<Triangle> triangles;
+            for (int i = 0; i < 12; ++i) triangles.push_back({draw.in_cube(1), draw.in_cube(1), draw.in_cube(1)});
+            const Scene scene = scene_of(triangles);
+            const auto list = make_accelerator("list", scene), bvh8 = make_accelerator("bvh8", scene);
+            Ray ray{draw.in_cube(.25), draw.in_cube(1)};
+            ray.range.min = -0.0f;
+            if (draw.one_in(4)) ray.range.max = draw.one_in(2) ? -0.0f : draw.uniform(-1, 1);
+            Traversal traversal;
+            const auto right = list->closest(ray, traversal);
+            if (same(right, bvh8->closest(ray, traversal)) && right.has_value() == bvh8->occluded(ray, traversal))
+                return std::nullopt;
+            return words(ray);
+        };
+        CHECK(faults(2'000, judge) == "");
+    });
+}
+
 TEST_CASE(
     "a ray that touches boxes in a single point, a corner of their triangle, hits it, with every instruction set") {
     // From the origin of coordinates, where a ray is not moved outward by its rounding, along whole numbers to

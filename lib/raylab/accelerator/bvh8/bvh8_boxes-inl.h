@@ -59,7 +59,7 @@ public:
             const Integers entry = hn::Max(hn::Max(in(0), in(1)), hn::Max(in(2), start_));
             const Integers exit = hn::Min(hn::Min(out(0), out(1)), hn::Min(out(2), end_));
             hn::Store(entry, integers_tag, entries + i);
-            hit_found |= less(entry, hn::Add(exit, hn::Load(integers_tag, beyond_slack))) << i;
+            hit_found |= signs(is_less(entry, hn::Add(exit, hn::Load(integers_tag, beyond_slack)))) << i;
         }
         return hit_found;
     }

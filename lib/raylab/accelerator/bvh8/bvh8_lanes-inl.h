@@ -45,17 +45,23 @@ HWY_INLINE std::uint32_t bits(Mask mask) { return static_cast<std::uint32_t>(_mm
 HWY_INLINE std::uint32_t bits(Mask mask) { return bits(lanes_tag, mask); }
 #endif
 
-// A mask of those that are negative, and one of those where a is the smaller. (Not by AVX-512's masks, which Intel's
+// A mask of those that are negative; -1 where a is the smaller and 0 elsewhere. (Not AVX-512's masks, which Intel's
 // processors take two cycles longer for.)
 #if HWY_TARGET <= HWY_AVX2
 HWY_INLINE std::uint32_t signs(Floats x) { return static_cast<std::uint32_t>(_mm256_movemask_ps(x.raw)); }
-HWY_INLINE std::uint32_t less(Integers a, Integers b) {
-    return signs(Floats{_mm256_castsi256_ps(_mm256_cmpgt_epi32(b.raw, a.raw))});
-}
+HWY_INLINE Integers is_less(Integers a, Integers b) { return Integers{_mm256_cmpgt_epi32(b.raw, a.raw)}; }
 #else
-HWY_INLINE std::uint32_t less(Integers a, Integers b) { return bits(hn::RebindMask(lanes_tag, hn::Lt(a, b))); }
-HWY_INLINE std::uint32_t signs(Floats x) { return less(hn::BitCast(integers_tag, x), hn::Zero(integers_tag)); }
+HWY_INLINE std::uint32_t signs(Floats x) {
+    return bits(hn::RebindMask(lanes_tag, hn::Lt(hn::BitCast(integers_tag, x), hn::Zero(integers_tag))));
+}
+HWY_INLINE Integers is_less(Integers a, Integers b) { return hn::VecFromMask(integers_tag, hn::Lt(a, b)); }
 #endif
+HWY_INLINE std::uint32_t signs(Integers x) { return signs(hn::BitCast(lanes_tag, x)); }
+
+// The same for floats of which one at least is not negative, nor -0, and none is a NaN.
+HWY_INLINE Integers is_less(Floats a, Floats b) {
+    return is_less(hn::BitCast(integers_tag, a), hn::BitCast(integers_tag, b));
+}
 
 }  // namespace raylab::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

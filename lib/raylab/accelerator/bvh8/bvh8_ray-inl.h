@@ -30,7 +30,8 @@ namespace raylab::HWY_NAMESPACE {
 // whose part that depends on the ray alone is computed once, tells which signs are certain: see bvh8_triangles-inl.h.
 class Bvh8Ray {
 public:
-    HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& for_boxes, double last) : boxes(for_boxes), start(ray.range.min) {
+    HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& for_boxes, double last)
+        : boxes(for_boxes), start(ray.range.min + 0.0f) {
         axes = in_turn[dominant(Axes(&ray.direction.x))];
         end_by(last);
     }
@@ -42,7 +43,7 @@ public:
     }
 
     const BoxRay& boxes;               // the ray for tests of boxes
-    float start, end = largest_float;  // the range of t
+    float start, end = largest_float;  // the range of t; neither is -0, which as an integer would come before each t
 
     const std::int32_t* axes;  // the two axes to which triangles are sheared, and the dominant one
     float origin[4];           // along those axes
@@ -57,7 +58,7 @@ public:
     static constexpr float error_quadratic = 12 * unit * spare;
 
     // Ends the ray at t. The end is t, if it is a float as it mostly is, or the next float above it, because a range
-    // includes its end. It is never -0, which as an integer would come before each entry: 0 is added.
+    // includes its end. (0 is added, so that it is not -0.)
     HWY_INLINE void end_by(double t) {
         if (!(t < end)) return;
         if (t < -largest_float) t = -largest_float;

@@ -90,7 +90,7 @@ public:
         const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w), slowness = all(ray.slowness);
         const Floats quotient = hn::Div(slowness, sum);
         const Floats one_sign = hn::Max(of.smallest(), hn::Neg(of.largest()));
-        known_ = hn::And(hn::Gt(one_sign, of.error), hn::Gt(hn::Abs(sum), all(smallest)));
+        known_ = hn::And(is_less(of.error, one_sign), is_less(all(smallest), hn::Abs(sum)));
 
         const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az);
         const Floats range = hn::Sub(hn::Max(hn::Max(az, bz), cz), hn::Min(hn::Min(az, bz), cz));
@@ -105,7 +105,7 @@ public:
     }
 
     // Those that the ray's line surely crosses.
-    HWY_INLINE std::uint32_t crossed() const { return bits(known_); }
+    HWY_INLINE std::uint32_t crossed() const { return signs(known_); }
     // Those that it surely crosses from behind: with d the direction and (a, b, c) the corners, the area times d_z is
     // -d . (b x c).
     HWY_INLINE std::uint32_t crossed_from_behind(const Areas& of, const Bvh8Ray& ray) const {
@@ -113,10 +113,10 @@ public:
     }
     HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const { return hit_before(ray.end, ray); }
     HWY_INLINE std::uint32_t hit_before(float end, const Bvh8Ray& ray) const {
-        return bits(hn::And(known_, hn::And(hn::Gt(first_, all(ray.start)), hn::Lt(last_, all(end)))));
+        return signs(hn::And(known_, hn::And(is_less(all(ray.start), first_), is_less(last_, all(end)))));
     }
     HWY_INLINE std::uint32_t out_of_range(const Bvh8Ray& ray) const {
-        return bits(hn::And(known_, hn::Or(hn::Lt(last_, all(ray.start)), hn::Gt(first_, all(ray.end)))));
+        return signs(hn::And(known_, hn::Or(is_less(last_, all(ray.start)), is_less(all(ray.end), first_))));
     }
 
     // Bounds of t, lane by lane.
@@ -135,7 +135,8 @@ private:
     // Bvh8Ray::underflow.
     static constexpr float smallest = 0x1p-59f;
 
-    Mask known_;
+    // Where first_ or last_ may be a NaN, known_ is 0: the quotient is finite, where the sum is not too small.
+    Integers known_;
     Floats first_, last_;
 };
 
