@@ -112,6 +112,7 @@ public:
         return crossed() & signs(hn::Xor(of.u, all(ray.slowness)));
     }
     HWY_INLINE std::uint32_t hit(const Bvh8Ray& ray) const { return hit_before(ray.end, ray); }
+    // (The end may be negative, but what comes after the start is not.)
     HWY_INLINE std::uint32_t hit_before(float end, const Bvh8Ray& ray) const {
         return signs(hn::And(known_, hn::And(is_less(all(ray.start), first_), is_less(last_, all(end)))));
     }
