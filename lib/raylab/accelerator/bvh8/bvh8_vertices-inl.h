@@ -149,10 +149,10 @@ HWY_INLINE CornersOfOne corners_of(const Bvh8Vertices& vertices, std::size_t pla
                          HWY_ATTR { return FourFloats(_mm256_castps256_ps128(table.at(where, has_third).raw)); };
     return {row(unmoved.x), row(unmoved.y), row(unmoved.z)};
 #else
-    const auto [a, b, c] = vertices.corners(place);
-    const auto row = [&, a = a, b = b, c = c](std::size_t axis) HWY_ATTR {
+    const auto corners = vertices.corners(place);
+    const auto row = [&](std::size_t axis) HWY_ATTR {
         const float* const x = vertices.row(axis);
-        return FourFloats{x[b], x[c], x[a], 0};
+        return FourFloats{x[corners[1]], x[corners[2]], x[corners[0]], 0};
     };
     return {row(0), row(1), row(2)};
 #endif
