@@ -1,6 +1,7 @@
 #include "race.h"
 
 #include "catch.h"
+#include "processors.h"
 #include "raylab/base/error.h"
 
 #include <algorithm>
@@ -39,6 +40,37 @@ PeerKind always(const std::string& name, std::int32_t answer, std::chrono::micro
             [=](int) -> Build { return [=](const Scene&) { return std::make_unique<AlwaysTheSame>(answer, pause); }; }};
 }
 
+/// For how many threads a peer was set up, and where it was built.
+struct Stand {
+    int threads;
+    std::vector<int> processors;
+};
+std::vector<Stand> stands;
+
+/// Notes where it is built.
+PeerKind noting(const std::string& name, PeerKind::Threads whose) {
+    const auto builder = [](int threads) -> Build {
+        return [threads](const Scene&) {
+            stands.push_back({threads, usable_processors()});
+            return std::make_unique<AlwaysTheSame>(none, std::chrono::microseconds());
+        };
+    };
+    return {name, builder, whose};
+}
+
+/// Where a peer is built twice for each number of threads, in order.
+std::vector<Stand> stands_of(const std::string& peer, const std::vector<int>& threads) {
+    stands.clear();
+    race("bumpy_1", {.rays = {"segments"}, .peers = {peer}, .threads = threads, .repetitions = 2, .size = 8});
+    return stands;
+}
+
+std::vector<int> threads_of(const std::vector<Stand>& those) {
+    std::vector<int> threads;
+    for (const Stand& one : those) threads.push_back(one.threads);
+    return threads;
+}
+
 Row raced(const std::string& peer, const std::string& rays) {
     const auto rows = race("bumpy_2", {.meshes = {}, .rays = {rays}, .peers = {peer}, .repetitions = 1, .size = 32});
     REQUIRE(rows.size() == 1);
@@ -52,6 +84,8 @@ PeerKind raylab::bench::peer_kind(const std::string& name) {
     if (name == "blind") return always(name, none);
     if (name == "sees triangle 0 everywhere") return always(name, first);
     if (name == "slow") return always(name, none, std::chrono::microseconds(200));
+    if (name == "notes") return noting(name, PeerKind::Threads::of_its_own);
+    if (name == "notes and shares") return noting(name, PeerKind::Threads::of_the_process);
     return raylab_peer(name);
 }
 
@@ -124,6 +158,22 @@ TEST_CASE("every peer races with every number of threads") {
     REQUIRE(rows.size() == 4);
     CHECK(std::ranges::count(rows, 2, &Row::threads) == 2);
     CHECK(std::ranges::count(rows, "list", &Row::peer) == 2);
+}
+
+TEST_CASE("builds with one thread and with two take turns, save where two threads for one peer are two for all") {
+    CHECK(threads_of(stands_of("notes", {1, 2})) == std::vector{1, 2, 1, 2});
+    CHECK(threads_of(stands_of("notes and shares", {1, 2})) == std::vector{1, 1, 2, 2});
+}
+
+TEST_CASE("where numbers of threads are compared, one thread takes the processors in turns") {
+    const std::vector<int> all = usable_processors();
+    REQUIRE(!all.empty());
+    for (const Stand& one : stands_of("notes", {1})) CHECK(one.processors == all);
+    const auto compared = stands_of("notes", {1, 2});
+    CHECK(compared[0].processors == std::vector{all[0]});
+    CHECK(compared[2].processors == std::vector{all[1 % all.size()]});
+    CHECK(compared[1].processors == all);
+    CHECK(usable_processors() == all);
 }
 
 TEST_CASE("a mesh or a kind of rays that nobody knows is refused") {

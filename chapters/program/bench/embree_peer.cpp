@@ -88,12 +88,14 @@ private:
 }  // namespace
 
 PeerKind embree_peer(const OtherPeer& peer, EmbreeKind kind) {
-    return {std::string(peer.name), [kind](int threads) -> Build {
-                return [kind, device = std::make_shared<Device>(threads)](const Scene& scene) {
-                    const auto& mesh = std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape);
-                    return std::make_unique<EmbreePeer>(device, kind, *mesh);
-                };
-            }};
+    const auto builder = [kind](int threads) -> Build {
+        return [kind, device = std::make_shared<Device>(threads)](const Scene& scene) {
+            const auto& mesh = std::get<std::shared_ptr<const Mesh>>(scene.objects.at(0).shape);
+            return std::make_unique<EmbreePeer>(device, kind, *mesh);
+        };
+    };
+    // As soon as one device may use two threads, all of them build with two.
+    return {std::string(peer.name), builder, PeerKind::Threads::of_the_process};
 }
 
 }  // namespace raylab::bench

@@ -40,6 +40,8 @@ using Build = std::function<std::unique_ptr<Peer>(const Scene& scene)>;
 struct PeerKind {
     std::string name;
     std::function<Build(int threads)> builder;
+    // What it is set up for, or the most that any such peer of the process is set up for.
+    enum class Threads { of_its_own, of_the_process } threads = Threads::of_its_own;
 };
 
 /// The peer of that name. An Error lists the known peers: raylab's structures, and the other libraries with which this

@@ -1,12 +1,15 @@
 #include "race.h"
 
+#include "processors.h"
+#include "timings.h"
+
 #include "raylab/base/tiles.h"
-#include "raylab/experiment/measure/quantile.h"
 #include "raylab/sampling/random.h"
 
 #include <algorithm>
 #include <ctime>
-#include <set>
+#include <map>
+#include <optional>
 #include <span>
 
 namespace raylab::bench {
@@ -35,7 +38,7 @@ struct Entrant {
     int threads;
     Build build = {};
     std::unique_ptr<Peer> peer = nullptr;
-    std::vector<double> build_seconds = {};
+    Timings builds = {};
 };
 
 /// The rays of one set that an entrant traces: all of them, or as many as it manages in time.
@@ -44,7 +47,7 @@ struct Run {
     std::vector<std::size_t> chosen;  // indices into the set, in whole blocks
     std::vector<Ray> rays;
     std::vector<std::int32_t> answers;
-    std::vector<double> seconds = {};
+    Timings timings = {};
 };
 
 std::vector<Entrant> entrants(const RaceOptions& options) {
@@ -54,25 +57,36 @@ std::vector<Entrant> entrants(const RaceOptions& options) {
     return all;
 }
 
+// Where numbers of threads are compared, one thread takes the processors in turns: of a virtual machine's one may be a
+// third slower than another, and what two threads gain would be a matter of where the one had stood.
+std::optional<int> processor_of_turn(int turn, const Entrant& entrant, const RaceOptions& options) {
+    if (options.threads.size() == 1 || entrant.threads > 1) return {};
+    const std::vector<int> all = usable_processors();
+    if (all.empty()) return {};
+    return all[static_cast<std::size_t>(turn) % all.size()];
+}
+
 void build_in_turns(std::span<Entrant* const> those, const Scene& scene, const RaceOptions& options) {
     for (Entrant* entrant : those) entrant->build = peer_kind(entrant->name).builder(entrant->threads);
     for (int i = 0; i < options.repetitions; ++i)
         for (Entrant* entrant : those) {
             entrant->peer.reset();
+            const auto processor = processor_of_turn(i, *entrant, options);
+            const OnProcessor bound(processor);
             const Stopwatch watch(options.clock);
             entrant->peer = entrant->build(scene);
-            entrant->build_seconds.push_back(watch.seconds());
+            entrant->builds.add(processor, watch.seconds());
         }
 }
 
-// Entrants with fewer threads build first: as soon as one of Embree's devices may use two, all of them build with two.
+// All take turns; but of those that share the process's threads, fewer threads build first.
 void build(std::vector<Entrant>& all, const Scene& scene, const RaceOptions& options) {
-    for (const int threads : std::set(options.threads.begin(), options.threads.end())) {
-        std::vector<Entrant*> those;
-        for (Entrant& entrant : all)
-            if (entrant.threads == threads) those.push_back(&entrant);
-        build_in_turns(those, scene, options);
-    }
+    const bool do_share = std::ranges::any_of(options.peers, [](const std::string& peer) {
+        return peer_kind(peer).threads == PeerKind::Threads::of_the_process;
+    });
+    std::map<int, std::vector<Entrant*>> rounds;
+    for (Entrant& entrant : all) rounds[do_share ? entrant.threads : 0].push_back(&entrant);
+    for (const auto& [threads, those] : rounds) build_in_turns(those, scene, options);
 }
 
 double seconds(Run& run, RayQuestion question, Seconds clock) {
@@ -147,10 +161,10 @@ Row row(const Run& run, const RaySet& set) {
             .question = set.question,
             .threads = run.entrant->threads,
             .ray_count = run.rays.size(),
-            .rays_per_second = rays / median(run.seconds),
-            .slowest = rays / std::ranges::max(run.seconds),
-            .fastest = rays / std::ranges::min(run.seconds),
-            .build_seconds = median(run.entrant->build_seconds),
+            .rays_per_second = rays / run.timings.typical(),
+            .slowest = rays / run.timings.longest(),
+            .fastest = rays / run.timings.shortest(),
+            .build_seconds = run.entrant->builds.typical(),
             .bytes = run.entrant->peer->bytes(),
             .work = work(run, set)};
     judge(run, set, row);
@@ -169,7 +183,11 @@ std::vector<Row> race(const std::string& mesh, const RaceOptions& options) {
         std::vector<Run> runs;
         for (Entrant& entrant : all) runs.push_back(suited_run(entrant, set, options));
         for (int i = 0; i < options.repetitions; ++i)
-            for (Run& run : runs) run.seconds.push_back(seconds(run, set.question, options.clock));
+            for (Run& run : runs) {
+                const auto processor = processor_of_turn(i, *run.entrant, options);
+                const OnProcessor bound(processor);
+                run.timings.add(processor, seconds(run, set.question, options.clock));
+            }
         for (const Run& run : runs) {
             rows.push_back(row(run, set));
             rows.back().mesh = mesh;
