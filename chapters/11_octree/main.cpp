@@ -59,7 +59,7 @@ void show_leaves(const ChapterRun& run, Page& page) {
     page.table("leaves", leaf_header(), [&] { return leaf_rows(run); });
 }
 
-// Three ways to the next cell.
+// The ways to the next cell.
 void show_ways(const ChapterRun& run, Page& page) {
     page.figure("up_and_down", draw_up_and_down);
     page.figure("blocks", draw_blocks);

@@ -19,10 +19,13 @@ StructureMethod textbook(const std::string& name, const std::string& number,
 }
 
 StructureMethod octree_by_points(const std::string& name, const OctreeLimits& limits) {
-    return limited<Octree>(name, limits);
+    return limited<OctreePoint>(name, limits);
 }
 StructureMethod octree_by_names(const std::string& name, const OctreeLimits& limits) {
     return limited<OctreeHash>(name, limits);
+}
+StructureMethod octree_by_times(const std::string& name, const OctreeLimits& limits) {
+    return limited<Octree>(name, limits);
 }
 StructureMethod octree_by_blocks(const std::string& name, const OctreeLimits& limits) {
     return limited<OctreeSeads>(name, limits);

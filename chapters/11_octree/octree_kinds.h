@@ -13,6 +13,7 @@ StructureMethod textbook(const std::string& name, const std::string& number,
 /// The lab's octrees, built in other ways.
 StructureMethod octree_by_points(const std::string& name, const OctreeLimits& limits = {});
 StructureMethod octree_by_names(const std::string& name, const OctreeLimits& limits = {});
+StructureMethod octree_by_times(const std::string& name, const OctreeLimits& limits = {});
 StructureMethod octree_by_blocks(const std::string& name, const OctreeLimits& limits = {});
 
 }  // namespace raylab::octrees

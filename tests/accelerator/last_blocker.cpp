@@ -8,8 +8,8 @@ using namespace raylab::adversarial;
 TEST_CASE("what stopped a light's last ray is asked first about the next one") {
     const Scene scene = scene_of(floor_of(20));  // y = 1
     const Ray stopped{{7.25f, 3, 6.5f}, {0, -1, 0}}, beside{{7.25f, 3, 6.5f}, {1, 0, 0}};
-    for (const char* name : {"bvh", "bvh8", "bvh8_splits", "grid", "grid_mailbox", "octree", "octree_hash",
-                             "octree_seads", "kd", "kd8", "bsp"}) {
+    for (const char* name : {"bvh", "bvh8", "bvh8_splits", "grid", "grid_mailbox", "octree", "octree_point",
+                             "octree_hash", "octree_seads", "kd", "kd8", "bsp"}) {
         INFO(name);
         const auto structure = make_accelerator(name, scene);
         Traversal traversal;

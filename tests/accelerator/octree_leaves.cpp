@@ -99,22 +99,25 @@ std::string leaves_passed_over(const OctreeLimits& limits) {
 
 TEST_CASE("no leaf that a ray surely goes through is passed over, and they come in order") {
     CHECK(leaves_passed_over<Octree>({.few = 2}) == "");
+    CHECK(leaves_passed_over<OctreePoint>({.few = 2}) == "");
     CHECK(leaves_passed_over<OctreeHash>({.few = 2}) == "");
     CHECK(leaves_passed_over<OctreeSeads>({.few = 2}) == "");
     CHECK(leaves_passed_over<OctreeSeads>({.few = 2, .seads = seads}) == "");
 }
 
-TEST_CASE("one octree, three ways: the same leaves one after the other") {
+TEST_CASE("one octree, four ways: the same leaves one after the other") {
     Draw scene_draw(5);
     const Scene scene = scene_of(soup(scene_draw, 300, 2));
     const OctreeLimits limits{.few = 3, .depth = 9};
-    const Octree by_points(scene, limits);
+    const Octree by_times(scene, limits);
+    const OctreePoint by_points(scene, limits);
     const OctreeHash by_names(scene, limits);
     const OctreeSeads by_blocks(scene, limits);
     const auto judge = [&](Draw& draw) -> std::optional<std::string> {
         const Ray ray = through(draw.in_cube(4), convert<double>(draw.in_cube(2)));
-        const auto expected = by_points.visits(ray);
-        const bool same = std::ranges::equal(expected, by_names.visits(ray), same_visit) &&
+        const auto expected = by_times.visits(ray);
+        const bool same = std::ranges::equal(expected, by_points.visits(ray), same_visit) &&
+                          std::ranges::equal(expected, by_names.visits(ray), same_visit) &&
                           std::ranges::equal(expected, by_blocks.visits(ray), same_visit);
         return same ? std::nullopt : std::optional(words(ray));
     };

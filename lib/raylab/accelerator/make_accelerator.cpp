@@ -109,6 +109,7 @@ constexpr std::array structures{
     Named{"grid", made<Grid>, set_grid, 0.001, 1000, "cells a primitive"},
     Named{"grid_mailbox", made_grid_mailbox, set_grid_mailbox, 0.001, 1000, "cells a primitive"},
     Named{"octree", made<Octree>, set_octree, 0, Lattice::bits, "cuts deep"},
+    Named{"octree_point", made<OctreePoint>},
     Named{"octree_hash", made<OctreeHash>},
     Named{"octree_seads", made<OctreeSeads>},
     Named{"bvh8", bvh8},

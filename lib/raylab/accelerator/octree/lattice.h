@@ -38,9 +38,9 @@ public:
     static constexpr int bits = 16;
     static constexpr std::int32_t side = 1 << bits;
 
-    /// The largest error, in cells, of a point by which a ray looks for its cell (LatticeRay). Every box is grown by
-    /// this much.
-    static constexpr double slack = 0x1p-8;
+    /// The largest error, in cells, of a point by which a ray looks for its cell (LatticeRay, ParametricWalk). Every
+    /// box is grown by this much.
+    static constexpr double slack = 0x1p-6;
 
     explicit Lattice(const Box& all);  // the box is finite, or empty where no box will ever be asked about
 
@@ -105,9 +105,14 @@ public:
     /// The t at which the ray reaches a plane between cells.
     double reaches(std::size_t axis, double plane) const { return (plane - place_[axis]) * pace_[axis]; }
 
+    /// In cells along an axis: how many the ray passes while t grows by 1, the other way around, and where it is at t.
+    double speed(std::size_t axis) const { return speed_[axis]; }
+    double pace(std::size_t axis) const { return pace_[axis]; }
+    double place(std::size_t axis, double t) const { return place_[axis] + speed_[axis] * t; }
+
     /// The cell, one of first..last along an axis, in which the ray is at t.
     std::int32_t cell(std::size_t axis, double t, std::int32_t first, std::int32_t last) const {
-        return std::clamp(static_cast<std::int32_t>(place_[axis] + speed_[axis] * t), first, last);
+        return std::clamp(static_cast<std::int32_t>(place(axis, t)), first, last);
     }
 
     /// -1 along a mirrored axis, else 0. cell ^ mirrored, restricted to the lattice's bits, is the cell's number in the

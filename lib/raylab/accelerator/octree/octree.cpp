@@ -153,6 +153,7 @@ bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
     bool hit = false;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
+        if (leaf.cell.rest == 0) return infinity;
         const auto blocker = bounded_.first_hit(tree_.in(leaf.cell), ray, quick_reject, traversal);
         if (blocker) traversal.stopped_by(*blocker);
         hit = blocker.has_value();
@@ -166,6 +167,7 @@ Outline OctreeBy<Way>::outline() const {
     return outline_of(lattice_, tree_, bounded_.places());
 }
 
+template class OctreeBy<Parametric>;
 template class OctreeBy<PointSearch>;
 template class OctreeBy<HashTable>;
 template class OctreeBy<Seads>;

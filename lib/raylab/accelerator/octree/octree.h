@@ -2,6 +2,7 @@
 
 #include "raylab/accelerator/octree/octree_cells.h"
 #include "raylab/accelerator/octree/octree_hash_table.h"
+#include "raylab/accelerator/octree/octree_parametric.h"
 #include "raylab/accelerator/octree/octree_point_search.h"
 #include "raylab/accelerator/octree/octree_seads.h"
 #include "raylab/accelerator/primitives.h"
@@ -41,7 +42,8 @@ private:
     Primitives bounded_, unbounded_;
 };
 
-using Octree = OctreeBy<PointSearch>;
+using Octree = OctreeBy<Parametric>;
+using OctreePoint = OctreeBy<PointSearch>;
 using OctreeHash = OctreeBy<HashTable>;
 using OctreeSeads = OctreeBy<Seads>;
 
