@@ -16,10 +16,8 @@ namespace {
 // scene's box.
 constexpr float cell = 0x1p-12f;
 
-std::vector<Triangle> markers() {
-    const auto marker = [](float at) { return Triangle{{at, at, at}, {at, at, at}, {at, at, at}}; };
-    return {marker(cell), marker(16 - cell)};
-}
+Triangle marker(float at) { return {Vec3f(at), Vec3f(at), Vec3f(at)}; }
+std::vector<Triangle> markers() { return {marker(cell), marker(16 - cell)}; }
 
 Vec3f corner_of_cells(Draw& draw, int level) {  // of cells that are 16 / 2^level wide
     const auto plane = [&] { return std::ldexp(cast<float>(draw.integer(0, 1 << level)), 4 - level); };
@@ -107,7 +105,6 @@ TEST_CASE("CELL-FACE: so are rays that cut off the edge of a cell by less than p
     // Specks lie a little behind one plane and before another, and rays go exactly through a corner of theirs: by
     // rounded numbers, the ray may reach the two planes the other way around, and pass the speck's cell by.
     constexpr float unit = cell * 0x1p-12f, middle = 8;  // places in the middle are rounded by up to 8 units
-    const auto marker = [](float at) { return Triangle{Vec3f(at), Vec3f(at), Vec3f(at)}; };
     std::vector<Triangle> triangles{marker(cell - middle), marker(middle - cell)};
     Draw scene_draw(14);
     for (int i = 0; i < 200; ++i) {

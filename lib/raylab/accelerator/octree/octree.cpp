@@ -153,7 +153,6 @@ bool OctreeBy<Way>::occluded(const Ray& ray, Traversal& traversal) const {
     bool hit = false;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     way_.walk(tree_, lattice_ray, traversal.steps, [&](const FoundLeaf& leaf) {
-        if (leaf.cell.rest == 0) return infinity;
         const auto blocker = bounded_.first_hit(tree_.in(leaf.cell), ray, quick_reject, traversal);
         if (blocker) traversal.stopped_by(*blocker);
         hit = blocker.has_value();
