@@ -52,7 +52,7 @@ inline HWY_NOINLINE bool settle_tie(const Bvh8Nodes& tree, Bvh8Child leaf, std::
 HWY_INLINE void keep_nearest(const Bvh8Nodes& tree, const Bvh8Hit& next, Bvh8Ray& ray, Bvh8Leaves& leaves) {
     if (!leaves.nearest || next.latest < leaves.nearest->soonest) {
         leaves.nearest = next;
-        if (next.latest < ray.end) ray.end = next.latest;
+        ray.end = next.latest;  // sooner than it was, but where exact tests of this leaf's triangles have ended the ray
     } else if (next.soonest <= leaves.nearest->latest) {
         if (is_nearest(tree, next.leaf, next.place, leaves)) return;
         if (settle_tie(tree, next.leaf, next.place, leaves)) return;
@@ -84,7 +84,6 @@ HWY_INLINE std::uint32_t lowest(std::uint32_t mask) { return mask & (0 - mask); 
 // Tests the triangles of a leaf: first in floats; those that floats leave open are passed on to be tested exactly.
 template <Bvh8Test test>
 HWY_INLINE void ask(const Bvh8Nodes& tree, Bvh8Ray& ray, const Bvh8Query& query, Bvh8Child leaf, Bvh8Leaves& leaves) {
-    ray.prepare_for_triangles(query.ray, tree, is_of_candidates(test) ? query.displacement : 0);
     const std::size_t count = leaf.count();
     const Bvh8Vertices vertices = tree.vertices(leaf);
     const Tables sheared = sheared_vertices(ray, vertices);

@@ -61,7 +61,7 @@ HWY_INLINE FourDoubles largest_size(FourDoubles p, FourDoubles q, FourDoubles r)
 #endif
 }
 
-// A point, or a direction, for each of the corners b, c, a of a triangle, in this order.
+// A point, or a direction, for each of the corners b, c, a, b of a triangle, in this order.
 struct OfCorners {
     FourDoubles x, y, z;
 
@@ -69,14 +69,20 @@ struct OfCorners {
     HWY_INLINE OfCorners with(const F& f) const {
         return {f(x), f(y), f(z)};
     }
-    // Those of c, a, b.
+    // Those of c, a, b, c.
     HWY_INLINE OfCorners next() const {
-        return with([](FourDoubles v) HWY_ATTR { return __builtin_shufflevector(v, v, 1, 2, 0, 3); });
+        return with([](FourDoubles v) HWY_ATTR { return __builtin_shufflevector(v, v, 1, 2, 0, 1); });
     }
     // The second one's comes first; the others are not used. (It stays in its half of the register, as x86's
     // instructions like it: a cycle instead of three.)
     HWY_INLINE OfCorners second() const {
         return with([](FourDoubles v) HWY_ATTR { return __builtin_shufflevector(v, v, 1, 0, 3, 2); });
+    }
+    // These, but for the first corner that of others.
+    HWY_INLINE OfCorners with_first(const OfCorners& of) const {
+        const auto blended = [](FourDoubles first, FourDoubles others)
+                                 HWY_ATTR { return __builtin_shufflevector(first, others, 0, 5, 6, 7); };
+        return {blended(of.x, x), blended(of.y, y), blended(of.z, z)};
     }
 };
 
@@ -108,19 +114,19 @@ HWY_INLINE Bvh8Place place_of_hit(const Ray& ray, const Bvh8Vertices& vertices, 
     const OfCorners at{in_doubles(corners.x) - origin.x, in_doubles(corners.y) - origin.y,
                        in_doubles(corners.z) - origin.z},
         next = at.next(), a = next.second();
-    const FourDoubles edges = triple_product(direction, at, next), own = triple_product(a, at, next);
-    const double determinant = edges[0] + edges[1] + edges[2];
-    const FourDoubles found = __builtin_shufflevector(own, edges, 0, 5, 6, 7) / determinant;
+    // Of a, b and c, which is t determinant; and of the direction and each edge: ca, ab, bc.
+    const FourDoubles volumes = triple_product(direction.with_first(a), at, next);
+    const double determinant = volumes[3] + volumes[1] + volumes[2];
+    const FourDoubles found = volumes / determinant;
 
     // With u the unit roundoff, m the largest coordinates, m_xyz their product and e = |d_x| m_y m_z + ..., decide()
     // bounds the error of t by (54 u m_xyz + |t| (48 u e + 3 u determinant)) / (determinant - 48 u e), and some u |t|
     // more. The ray hits the triangle at t d, whose coordinates are no larger than m: so |t| e is at most 3 m_xyz, and
-    // the error is 198 u m_xyz / determinant but for a hundredth of t_accuracy. The triangle's own volume is t
-    // determinant.
+    // the error is 198 u m_xyz / determinant but for a hundredth of t_accuracy.
     const FourDoubles m_xyz =
         largest_size(at.x, next.x, a.x) * largest_size(at.y, next.y, a.y) * largest_size(at.z, next.z, a.z);
     constexpr double needed = 198 * unit_roundoff<double> / (t_accuracy * 15 / 16);
-    return {found[0], found[1], found[2], m_xyz[0] * needed < std::abs(double{own[0]})};
+    return {found[0], found[1], found[2], m_xyz[0] * needed < std::abs(double{volumes[0]})};
 }
 
 }  // namespace raylab::HWY_NAMESPACE

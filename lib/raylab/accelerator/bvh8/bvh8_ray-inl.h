@@ -32,7 +32,7 @@ class Bvh8Ray {
 public:
     HWY_INLINE Bvh8Ray(const Ray& ray, const BoxRay& for_boxes, double last)
         : boxes(for_boxes), start(ray.range.min + 0.0f) {
-        axes = in_turn[dominant(Axes(&ray.direction.x))];
+        axes = axes_of(Axes(&ray.direction.x));
         end_by(last);
     }
 
@@ -49,11 +49,13 @@ public:
     float origin[4];           // along those axes
     float shear[4];            // the direction along the first two, divided by that along the dominant one
     float slowness;            // 1 / direction along the dominant one, with its sign
-    // The error bound of a triangle's t is constant + linear r, where r is its reach in depth: see Sure.
-    float t_error_constant, t_error_linear;
+    // The error bound of a triangle's depth is least_depth_error + depth_error r, where r is its reach in depth: see
+    // Sure.
+    float least_depth_error;
+    static constexpr float depth_error = 6 * unit * spare;
     static constexpr float underflow = 0x1p-80f;  // of depths
     // The error bound of an area is r (linear + quadratic r), where r is the largest sheared coordinate of the
-    // triangle, or `linear` if that is larger.
+    // triangle, or `linear` if that is larger; and Areas::least_error.
     float error_linear;
     static constexpr float error_quadratic = 12 * unit * spare;
 
@@ -80,8 +82,7 @@ private:
         const auto dominant_axis = static_cast<std::size_t>(axes[2]);
         slowness = boxes.inverse[dominant_axis];
         d.in_order(axes).with([&](AxisLanes x) HWY_ATTR { return hn::Mul(x, Axes::number(slowness)); }).store(shear);
-        t_error_constant = std::abs(slowness) * (underflow + 3 * spare * displacement);
-        t_error_linear = std::abs(slowness) * (6 * unit * spare);
+        least_depth_error = underflow + 3 * spare * displacement;
 
         // x' = (a_x - o_x) - s (a_z - o_z) has one rounding of the first term, four of the second (s has two), one of
         // x'. With r as below and z the depth, the first term is no larger than r + |s| z: together 2 u r + 5 u |s| z.
@@ -98,20 +99,19 @@ private:
         error_linear = ahead * all_shear * (several * 5 * unit * spare) + (several * 4 * displacement + 0x1p-70f);
     }
 
-    // The axis along which the direction is steepest, the first of equal ones. (A table replaces branches that would be
-    // mispredicted for every third ray.)
-    static HWY_INLINE std::size_t dominant(const Axes& d) {
+    // The axis along which the direction is steepest, behind the two that follow it. (A table replaces branches that
+    // would be mispredicted for every third ray.)
+    static HWY_INLINE const std::int32_t* axes_of(const Axes& d) {
         const Axes steep = d.with([](AxisLanes x) HWY_ATTR { return hn::Abs(x); });
-        const std::uint32_t no_flatter = steep.in_order(xyx).where(
-            [](AxisLanes p, AxisLanes q) HWY_ATTR { return hn::Ge(p, q); }, steep.in_order(yzz));
-        // x >= y adds one, y >= z two, x >= z four.
-        static constexpr std::array<std::uint8_t, 8> steepest_of{2, 2, 1, 2, 2, 0, 1, 0};
-        return steepest_of[no_flatter];
+        const std::uint32_t no_flatter =
+            steep.where([](AxisLanes p, AxisLanes q) HWY_ATTR { return hn::Ge(p, q); }, steep.in_order(after_x));
+        // x >= y adds one, y >= z two, z >= x four.
+        static constexpr auto &x = after_x, &y = after_y, &z = after_z;
+        static constexpr const std::int32_t* of[8] = {z, x, y, x, z, z, y, x};
+        return of[no_flatter];
     }
-    alignas(16) static constexpr std::int32_t xyx[4] = {0, 1, 0, 3}, yzz[4] = {1, 2, 2, 3};
-
-    // For each dominant axis, the two axes that follow it, and itself.
-    alignas(16) static constexpr std::int32_t in_turn[3][4] = {{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
+    alignas(16) static constexpr std::int32_t after_x[4] = {1, 2, 0, 3}, after_y[4] = {2, 0, 1, 3},
+                                              after_z[4] = {0, 1, 2, 3};
 };
 
 }  // namespace raylab::HWY_NAMESPACE

@@ -45,7 +45,7 @@ struct Areas {
         const Floats linear = all(ray.error_linear);
         const Floats r = larger(larger(larger(hn::Abs(ax), hn::Abs(ay)), larger(hn::Abs(bx), hn::Abs(by))),
                                 larger(larger(hn::Abs(cx), hn::Abs(cy)), linear));
-        error = hn::Mul(r, hn::MulAdd(r, all(ray.error_quadratic), linear));
+        error = hn::MulAdd(r, hn::MulAdd(r, all(ray.error_quadratic), linear), all(least_error));
     }
     HWY_INLINE Floats smallest() const { return hn::Min(hn::Min(u, v), w); }
     HWY_INLINE Floats largest() const { return hn::Max(hn::Max(u, v), w); }
@@ -61,13 +61,20 @@ struct Areas {
     // to 2 % of a ray's time.)
     HWY_INLINE std::uint32_t open(std::size_t count) const {
         const std::uint32_t all_of_them = (1u << std::min(count, lanes)) - 1;
-        const std::uint32_t mixed = signs(hn::Or(hn::Xor(u, v), hn::Xor(u, w)));
-        if ((~mixed & all_of_them) == 0) {
+        const std::uint32_t of_one_sign = ~signs(hn::Or(hn::Xor(u, v), hn::Xor(u, w))) & all_of_them;
+        if (of_one_sign == 0) {
             const std::uint32_t missed = bits(hn::Gt(hn::Min(hn::Neg(smallest()), largest()), error));
             if ((~missed & all_of_them) == 0) return 0;
         }
-        return ~bits(hn::And(hn::Lt(smallest(), hn::Neg(error)), hn::Gt(largest(), error))) & all_of_them;
+        // (The former are among the latter: so the compiler knows that there are some.)
+        return of_one_sign |
+               (~bits(hn::And(hn::Lt(smallest(), hn::Neg(error)), hn::Gt(largest(), error))) & all_of_them);
     }
+
+    // Of an area. It is more than an area's products may underflow by; and the sum of three areas that are larger,
+    // beyond 2^-65, is so large that what other products may underflow by, 2^-150 each, stays below Bvh8Ray::underflow
+    // when it is divided by this sum, and that slowness, at most 2^60, divided by it is finite.
+    static constexpr float least_error = 0x1p-66f;
 };
 
 // Of those, which are surely hit between the ray's start and end, which surely not there, and bounds of t for the
@@ -89,8 +96,7 @@ public:
         const Floats az = corners.of<0>(sheared.z), bz = corners.of<1>(sheared.z), cz = corners.of<2>(sheared.z);
         const Floats sum = hn::Add(hn::Add(of.u, of.v), of.w), slowness = all(ray.slowness);
         const Floats quotient = hn::Div(slowness, sum);
-        const Floats one_sign = hn::Max(of.smallest(), hn::Neg(of.largest()));
-        known_ = hn::And(is_less(of.error, one_sign), is_less(all(smallest), hn::Abs(sum)));
+        known_ = is_less(of.error, hn::Max(of.smallest(), hn::Neg(of.largest())));
 
         const Floats b = hn::Sub(bz, az), c = hn::Sub(cz, az);
         const Floats range = hn::Sub(hn::Max(hn::Max(az, bz), cz), hn::Min(hn::Min(az, bz), cz));
@@ -99,7 +105,8 @@ public:
         const Floats error_beyond_a = hn::Xor(hn::Mul(of.error, hn::Mul(range, all(2 * spare))), sign);
         const Floats at_a = hn::Mul(az, slowness);
         const Floats reach = hn::MulAdd(range, all(3), hn::Abs(az));
-        const Floats error_at_a = hn::MulAdd(reach, all(ray.t_error_linear), all(ray.t_error_constant));
+        const Floats error_at_a =
+            hn::Mul(hn::MulAdd(reach, all(Bvh8Ray::depth_error), all(ray.least_depth_error)), hn::Abs(slowness));
         first_ = hn::MulAdd(hn::Sub(beyond_a, error_beyond_a), quotient, hn::Sub(at_a, error_at_a));
         last_ = hn::MulAdd(hn::Add(beyond_a, error_beyond_a), quotient, hn::Add(at_a, error_at_a));
     }
@@ -132,11 +139,7 @@ public:
     }
 
 private:
-    // A sum of areas so large that the absolute error by which products may underflow, divided by it, stays below
-    // Bvh8Ray::underflow.
-    static constexpr float smallest = 0x1p-59f;
-
-    // Where first_ or last_ may be a NaN, known_ is 0: the quotient is finite, where the sum is not too small.
+    // Where first_ or last_ may be a NaN, known_ is 0: the quotient is finite, where areas exceed their errors.
     Integers known_;
     Floats first_, last_;
 };

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace raylab {
 
@@ -85,7 +86,9 @@ public:
 
     /// The lanes of a triangle's corners, and above them what it is seen from.
     std::uint32_t word(std::size_t place) const {
-        return std::bit_cast<std::uint32_t>(start_[place / 2]) >> (16 * (place % 2));
+        std::uint16_t word;
+        std::memcpy(&word, static_cast<const std::byte*>(all_corners()) + place * sizeof word, sizeof word);
+        return word;
     }
 
 private:

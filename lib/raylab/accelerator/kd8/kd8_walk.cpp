@@ -56,6 +56,7 @@ HWY_INLINE void walk_cells(const Kd8Cells& cells, const Bvh8Nodes& contents, Bvh
         come_to(leaf);
         if (leaf.kind() == Bvh8Child::Kind::triangles) {
             triangles += leaf.count();
+            ray.prepare_for_triangles(query.ray, contents, 0);
             ask<test>(contents, ray, query, leaf, leaves);
         } else {
             ray.end_by(leaves.others(leaf));
